@@ -1,0 +1,1 @@
+"""VectorTalker: layered SVG portraits that talk."""

@@ -1,0 +1,29 @@
+"""Typed errors. Raised where found, translated once at the border (server: `{code, message}`; CLI: one line and an exit code)."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+ErrorCode = Literal[
+    "bad_picture",  # not a picture, damaged, or of a kind that is not read
+    "picture_too_large",
+    "bad_option",
+    "bad_landmarks",
+    "bad_project",
+    "bad_track",
+    "bad_audio",
+    "not_found",
+    "queue_full",
+    "storage_full",
+    "unsupported",
+    "cancelled",
+]
+
+
+class VectorTalkerError(Exception):
+    """A fault of the input or a limit reached. `message` is one sentence: the value, the limit, the way out."""
+
+    def __init__(self, code: ErrorCode, message: str) -> None:
+        super().__init__(message)
+        self.code: ErrorCode = code
+        self.message = message

@@ -1,0 +1,248 @@
+"""The one contract: every value that crosses the HTTP border or is stored in a project file.
+
+The browser's types are generated from the OpenAPI document made of these models (`npm run gen`); a test checks for drift.
+All coordinates are portrait pixels (x, y), y down, unless a field says otherwise.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, FiniteFloat
+
+SCHEMA_VERSION = 1
+N_LANDMARKS = 68  # iBUG order
+
+Unit = Annotated[FiniteFloat, Field(ge=0, le=1)]
+Xy = tuple[FiniteFloat, FiniteFloat]
+HexColour = Annotated[str, Field(pattern=r"^#[0-9a-f]{6}$")]
+Part = Literal["left_eye", "right_eye", "left_iris", "right_iris", "mouth_cavity", "mouth_lower", "tongue", "mouth_upper"]
+
+
+class Wire(BaseModel):
+    """Base of all wire models: immutable, unknown fields refused."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+# ---------------------------------------------------------------- scene
+
+
+class SolidFill(Wire):
+    kind: Literal["solid"] = "solid"
+    colour: HexColour
+    opacity: Unit = 1.0
+
+
+class Stop(Wire):
+    colour: HexColour
+    opacity: Unit = 1.0
+
+
+class LinearFill(Wire):
+    """Two-stop linear gradient from `start` to `end`, padded, unpremultiplied sRGB."""
+
+    kind: Literal["linear"] = "linear"
+    start: Xy
+    end: Xy
+    stops: tuple[Stop, Stop]
+
+
+Fill = Annotated[SolidFill | LinearFill, Field(discriminator="kind")]
+
+
+class ScenePath(Wire):
+    """Closed chain of cubics: flat x, y of `anchor, handle, handle` per segment; the last segment ends at the first anchor."""
+
+    points: Annotated[list[FiniteFloat], Field(min_length=12)]
+    fill: Fill
+
+
+class LocalPath(ScenePath):
+    part: Part
+
+
+class Scene(Wire):
+    """Layered portrait in painter's order. `canvas` fills the whole frame beneath `back`."""
+
+    width: Annotated[float, Field(gt=0)]
+    height: Annotated[float, Field(gt=0)]
+    canvas: HexColour
+    back: list[ScenePath]
+    fore: list[ScenePath]
+    local: list[LocalPath]
+
+
+# ---------------------------------------------------------------- landmarks
+
+
+class Iris(Wire):
+    centre: Xy
+    radius: Annotated[FiniteFloat, Field(gt=0)]
+
+
+class Landmarks(Wire):
+    """68 iBUG points; irises image-left first; `depth` towards the viewer in units of the outer-eye distance."""
+
+    points: Annotated[list[Xy], Field(min_length=N_LANDMARKS, max_length=N_LANDMARKS)]
+    irises: tuple[Iris, Iris] | None = None
+    depth: Annotated[list[FiniteFloat], Field(min_length=N_LANDMARKS, max_length=N_LANDMARKS)] | None = None
+
+
+class Box(Wire):
+    x: FiniteFloat
+    y: FiniteFloat
+    width: FiniteFloat
+    height: FiniteFloat
+
+
+class Face(Wire):
+    box: Box
+    landmarks: Landmarks
+    confidence: Unit
+    fit_advised: bool  # the fit is doubtful: ask the user to check it or to place the five pins
+
+
+class Faces(Wire):
+    """Detected faces, largest first. Empty: no face was found, the user fits five pins."""
+
+    width: int
+    height: int
+    faces: list[Face]
+
+
+# ---------------------------------------------------------------- portraits and jobs
+
+
+class Portrait(Wire):
+    id: str
+    name: str
+    width: int
+    height: int
+    notices: list[str]  # what was normalised, one sentence each ("First of 4 frames used.")
+
+
+Preset = Literal["draft", "standard", "fine"]
+Recipe = Literal["best", "paper", "diffvg"]
+
+
+class VectorizeOptions(Wire):
+    """Options of `vectortalker vectorize`; None means: what the preset says."""
+
+    preset: Preset = "standard"
+    recipe: Recipe = "best"
+    paths: Annotated[int, Field(ge=8, le=4000)] | None = None
+    segments: Annotated[int, Field(ge=3, le=32)] = 8
+    levels: Annotated[int, Field(ge=1, le=8)] | None = None
+    iterations: Annotated[int, Field(ge=1, le=5000)] | None = None
+    final_iterations: Annotated[int, Field(ge=1, le=20000)] | None = None
+    seed: Annotated[int, Field(ge=0)] = 0
+    working_size: Annotated[int, Field(ge=64, le=2048)] | None = None
+    fills: Literal["solid", "gradient"] | None = None
+    opacity: Literal["free", "opaque"] = "free"
+    layers: bool = True
+
+
+class JobRequest(Wire):
+    """Landmarks None: no face; the picture becomes back and fore only as far as segmentation finds a person."""
+
+    portrait_id: str
+    landmarks: Landmarks | None = None
+    options: VectorizeOptions = VectorizeOptions()
+
+
+JobPhase = Literal["queued", "running", "done", "failed", "cancelled"]
+
+
+class Metrics(Wire):
+    """Scores of a resvg rendering of the written SVG against the canonical image (docs/benchmarks.md)."""
+
+    paths: int
+    segments: int
+    parameters: int
+    iterations: int
+    seconds: float
+    cpu_seconds: float
+    bytes: int
+    gzip_bytes: int
+    mse: float
+    psnr: float
+    ssim: float
+
+
+class ApiError(Wire):
+    code: str
+    message: str
+
+
+class JobState(Wire):
+    """Whole snapshot of a job, the only thing SSE ever sends. `revision` grows by one a snapshot.
+
+    `scene_revision` names the latest scene at `/api/jobs/{id}/scene`; 0: none yet.
+    """
+
+    id: str
+    revision: int
+    phase: JobPhase
+    stage: str  # "smoothing", "level 2 of 5", …
+    level: int
+    levels: int
+    n_paths: int
+    progress: Unit
+    elapsed_seconds: float
+    remaining_seconds: float | None
+    queue_position: int | None
+    scene_revision: int
+    metrics: Metrics | None = None
+    error: ApiError | None = None
+
+
+# ---------------------------------------------------------------- poses, tracks, projects
+
+
+class Pose(Wire):
+    """Articulators and landmark offsets (units of the outer-eye distance, from rest); both add up."""
+
+    articulators: dict[str, FiniteFloat] = {}
+    offsets: Annotated[list[Xy], Field(min_length=N_LANDMARKS, max_length=N_LANDMARKS)] | None = None
+
+
+class Track(Wire):
+    """Poses over time. `landmarks` are offsets from a neutral face (closed lips, open eyes); either or both are given."""
+
+    model_config = ConfigDict(frozen=True, extra="allow")
+
+    schema_version: Literal[1] = 1
+    name: str = "track"
+    duration: Annotated[FiniteFloat, Field(gt=0, le=3600)]
+    fps: Annotated[FiniteFloat, Field(gt=0, le=240)]
+    landmarks: list[Annotated[list[Xy], Field(min_length=N_LANDMARKS, max_length=N_LANDMARKS)]] | None = None
+    articulators: dict[str, list[FiniteFloat]] | None = None
+
+
+class Project(Wire):
+    """`project.json` of a `.vtalk` file. The source picture and the audio lie beside it in the zip."""
+
+    schema_version: Literal[1] = 1
+    name: str
+    scene: Scene
+    landmarks: Landmarks | None
+    pose: Pose = Pose()
+    tracks: list[Track] = []
+    settings: dict[str, str | float | bool] = {}
+    source: str | None = None  # file name inside the zip
+    audio: str | None = None
+
+
+# ---------------------------------------------------------------- server exports
+
+
+class VideoRequest(Wire):
+    """Server rendering of a track, for browsers that cannot encode H.264."""
+
+    scene: Scene
+    landmarks: Landmarks
+    track: Track
+    fps: Annotated[float, Field(ge=1, le=60)] = 25
+    size: Annotated[int, Field(ge=64, le=2048)] = 512
+    format: Literal["mp4", "webm", "gif"] = "mp4"

@@ -1,0 +1,1 @@
+//! Turns a scene and its rest landmarks into a rig, and a pose of that rig into warped control points and path strings.

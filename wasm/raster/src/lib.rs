@@ -1,0 +1,1 @@
+//! Turns control points and fills into pixels, and pixel errors into exact gradients.
