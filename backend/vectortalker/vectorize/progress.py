@@ -1,0 +1,49 @@
+"""What `vectorize` reports on its way, what it hands over at the end, and what it needs to resume."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vectortalker import schema
+
+
+@dataclass(frozen=True)
+class Checkpoint:
+    """State after a whole level: plain arrays, so that a store can keep it without knowing what it is.
+
+    `arrays` holds the paths of the working frame and the optimiser's moments by name; `level` counts finished levels;
+    `iterations` those spent; `settings` identifies what it was made with (a resumed run must agree).
+    """
+
+    level: int
+    iterations: int
+    settings: str
+    arrays: dict[str, NDArray[np.generic]]
+
+
+@dataclass(frozen=True)
+class Progress:
+    """One report. `stage` is ready to be shown; `fraction` of the whole in [0, 1]; `scene` when there is a new picture.
+
+    `checkpoint` comes with the last report of every level.
+    """
+
+    stage: str
+    level: int
+    levels: int
+    n_paths: int
+    fraction: float
+    scene: schema.Scene | None = None
+    checkpoint: Checkpoint | None = None
+
+
+@dataclass(frozen=True)
+class Result:
+    """The finished scene, its SVG text and the scores of that text's resvg rendering."""
+
+    scene: schema.Scene
+    svg: str
+    metrics: schema.Metrics
