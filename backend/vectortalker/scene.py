@@ -32,7 +32,7 @@ OPACITY_STEP = 0.001  # what three written decimals resolve
 class Layer:
     """Paths of one layer in painter's order.
 
-    `points` f32 [n, 3S, 2]: anchor, handle, handle per segment. `stops` f32 [n, 2, 4]: sRGB and opacity in [0, 1]; a solid
+    `points` f32 [n, 3S, 2]: anchor, handle, handle per segment. `stops` f32 [n, 2, 4]: sRGB, opacity in [0, 1]; a solid
     path uses stop 0. `axis` f32 [n, 4]: gradient start x, y, end x, y. `gradient` bool [n]. `part` i64 [n]: index into
     `PARTS`, or `NO_PART` outside the local layer.
     """

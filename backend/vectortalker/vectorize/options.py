@@ -10,7 +10,7 @@ from vectortalker.schema import Preset, Recipe, VectorizeOptions
 
 @dataclass(frozen=True)
 class Settings:
-    """Resolved options. `iterations` per level but the last, `final_iterations` in the last; sizes in px of the long side."""
+    """Resolved options. `iterations` per level but the last, `final_iterations` in the last; sizes: long side in px."""
 
     recipe: Recipe
     paths: int
