@@ -20,7 +20,9 @@ function installPython(python) {
 /** The CPU build where its index can be reached; else PyPI's, on Linux with the GPU libraries its import asks for. */
 function installTorch() {
   const install = ['install', '--quiet', '--compile-bytecode', '--no-deps', '-r', 'backend/torch.txt'];
-  const cpuBuild = succeeds(venvBin('uv'), ['pip', ...install, '--torch-backend', 'cpu'], { env: { ...process.env, VIRTUAL_ENV: '.venv' } });
+  const cpuBuild = succeeds(venvBin('uv'), ['pip', ...install, '--torch-backend', 'cpu'], {
+    env: { ...process.env, VIRTUAL_ENV: '.venv' },
+  });
   if (cpuBuild) return;
   console.log('  the CPU build of torch cannot be reached; taking the one on PyPI');
   pip(...install, ...(process.platform === 'linux' ? ['-r', 'backend/torch-pypi-libraries.txt'] : []));
@@ -31,9 +33,14 @@ export function setup() {
   unlessFresh('Python environment', PYTHON_INPUTS, '.venv/bin/vectortalker', () => installPython(python));
   unlessFresh('npm packages', ['package.json', 'package-lock.json'], 'node_modules', () => run('npm', ['ci', '--no-audit', '--no-fund']));
   unlessFresh('Rust core for Python', ['wasm'], '.venv/bin/vectortalker', () =>
-    run(venvBin('maturin'), ['develop', '--release', '--uv', '--quiet'], { cwd: 'wasm/python', env: { VIRTUAL_ENV: '../../.venv' } }));
-  unlessFresh('Rust core for the browser', ['wasm'], 'web/src/rig/wasm', () => run('cargo', ['run', '--quiet', '-p', 'xtask'], { cwd: 'wasm' }));
-  unlessFresh('web page', ['web', 'public', 'package-lock.json', 'wasm'], 'web/dist/index.html', () => run('npm', ['run', '--silent', 'build']));
+    run(venvBin('maturin'), ['develop', '--release', '--uv', '--quiet'], { cwd: 'wasm/python', env: { VIRTUAL_ENV: '../../.venv' } }),
+  );
+  unlessFresh('Rust core for the browser', ['wasm'], 'web/src/rig/wasm', () =>
+    run('cargo', ['run', '--quiet', '-p', 'xtask'], { cwd: 'wasm' }),
+  );
+  unlessFresh('web page', ['web', 'public', 'package-lock.json', 'wasm'], 'web/dist/index.html', () =>
+    run('npm', ['run', '--silent', 'build']),
+  );
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) main(setup);

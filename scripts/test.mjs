@@ -3,8 +3,14 @@ import { main, run, SetupError, succeeds, venvBin } from './run.mjs';
 import { setup } from './setup.mjs';
 import { provideSystemPackages } from './system-packages.mjs';
 
-const cargo = (...args) => () => run('cargo', args, { cwd: 'wasm' });
-const python = (...args) => () => run(venvBin('python'), ['-m', ...args]);
+const cargo =
+  (...args) =>
+  () =>
+    run('cargo', args, { cwd: 'wasm' });
+const python =
+  (...args) =>
+  () =>
+    run(venvBin('python'), ['-m', ...args]);
 const npm = (name) => () => run('npm', ['run', '--silent', name]);
 const hasClippy = () => succeeds('cargo', ['clippy', '--version']);
 
