@@ -1,0 +1,1 @@
+"""Turns a project and a track into an animation: animated SVG, web page, video, GIF or PNG frames."""
