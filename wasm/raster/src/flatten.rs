@@ -1,0 +1,99 @@
+//! Turns cubic segments into chords, densely enough that no pixel can tell the difference.
+
+use crate::scene::Paths;
+
+/// Farthest that a chord may stray from its cubic, in pixels: below the noise of 8-bit edges.
+const TOLERANCE: f32 = 0.02;
+/// Fewer chords would starve the handles of gradient: with 4 the trapezoid rule over their weights is 6 % short.
+const LEAST_CHORDS: f32 = 4.0;
+/// More chords are not needed below a curvature that only off-canvas or wildly folded segments have.
+const MOST_CHORDS: f32 = 64.0;
+
+/// Vertices of all paths in one list; each path's ring is closed by a copy of its first vertex.
+#[derive(Debug, Default)]
+pub struct Chords {
+    /// Cubic segments of every path.
+    pub segments: usize,
+    pub x: Vec<f32>,
+    pub y: Vec<f32>,
+    /// Vertex index where each segment starts, `[n·S]`.
+    pub start: Vec<u32>,
+    /// Number of chords of each segment, `[n·S]`.
+    pub count: Vec<u32>,
+    /// Lowest and highest y of each segment, `[n·S]`.
+    pub rows: Vec<(f32, f32)>,
+}
+
+/// Flattens every segment at `t = k/n`, `n` by Wang's bound on the distance between a cubic and its chords.
+pub fn flatten(paths: &Paths<'_>) -> Chords {
+    let stride = paths.segments * 6;
+    let mut chords = Chords {
+        segments: paths.segments,
+        ..Chords::default()
+    };
+    for ring in paths.points.chunks_exact(stride) {
+        let first = chords.x.len();
+        for j in 0..paths.segments {
+            push_segment(&mut chords, cubic(ring, j));
+        }
+        chords.x.push(chords.x[first]);
+        chords.y.push(chords.y[first]);
+    }
+    chords
+}
+
+/// Control points of segment `j` of a ring: `3j, 3j+1, 3j+2, (3j+3) mod 3S`.
+fn cubic(ring: &[f32], j: usize) -> [[f32; 2]; 4] {
+    std::array::from_fn(|k| {
+        let i = (6 * j + 2 * k) % ring.len();
+        [ring[i], ring[i + 1]]
+    })
+}
+
+fn push_segment(chords: &mut Chords, p: [[f32; 2]; 4]) {
+    let n = n_chords(&p);
+    let [x, y] = [0, 1].map(|axis| power_basis(p.map(|q| q[axis])));
+    let step = 1.0 / n as f32;
+    let (mut low, mut high) = (p[0][1].min(p[3][1]), p[0][1].max(p[3][1]));
+    chords.start.push(chords.x.len() as u32);
+    chords.count.push(n);
+    chords.x.push(p[0][0]);
+    chords.y.push(p[0][1]);
+    for k in 1..n {
+        let t = k as f32 * step;
+        let yt = horner(y, t);
+        chords.x.push(horner(x, t));
+        chords.y.push(yt);
+        low = low.min(yt);
+        high = high.max(yt);
+    }
+    chords.rows.push((low, high));
+}
+
+/// Wang's bound: `n = √(6·M / (8·tolerance))`, `M` the larger second difference of the control points.
+fn n_chords(p: &[[f32; 2]; 4]) -> u32 {
+    let bend = |a: [f32; 2], b: [f32; 2], c: [f32; 2]| {
+        (a[0] - 2.0 * b[0] + c[0]).hypot(a[1] - 2.0 * b[1] + c[1])
+    };
+    let m = bend(p[0], p[1], p[2]).max(bend(p[1], p[2], p[3]));
+    (0.75 * m / TOLERANCE)
+        .sqrt()
+        .ceil()
+        .clamp(LEAST_CHORDS, MOST_CHORDS) as u32
+}
+
+fn power_basis(p: [f32; 4]) -> [f32; 4] {
+    let c1 = 3.0 * (p[1] - p[0]);
+    let c2 = 3.0 * (p[2] - p[1]) - c1;
+    [p[0], c1, c2, p[3] - p[0] - c1 - c2]
+}
+
+fn horner(c: [f32; 4], t: f32) -> f32 {
+    ((c[3] * t + c[2]) * t + c[1]) * t + c[0]
+}
+
+/// Bernstein weights of the four control points at `t`.
+pub fn bernstein(t: f32) -> [f32; 4] {
+    let s = 1.0 - t;
+    [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t]
+}

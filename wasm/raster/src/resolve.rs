@@ -1,0 +1,75 @@
+//! Turns winding differences into coverage by the nonzero rule.
+
+use crate::cells::{Lane, ROWS};
+
+/// Rounding of long sums leaves this much winding where there is none.
+const SNAP: f32 = 1e-4;
+/// Above this much winding coverage is saturated and does not answer to a path's outline.
+pub const SATURATED: f32 = 1.0005;
+
+/// How often a path lies over itself, in pixel areas.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Overlap {
+    /// Area with any winding.
+    pub covered: f64,
+    /// Area wound around more than once.
+    pub folded: f64,
+    /// Area wound against the path's main direction.
+    pub reversed: f64,
+}
+
+/// Sums differences along x in place and averages `min(|winding|, 1)` over the `S` sub-rows of each pixel.
+///
+/// `winding` holds `S` lanes a column and one column more than `coverage`.
+pub fn resolve<const S: usize>(winding: &mut [Lane], coverage: &mut [Lane]) {
+    let mut running = [[0.0_f32; ROWS]; S];
+    for (column, covered) in winding.as_chunks_mut::<S>().0.iter_mut().zip(coverage) {
+        let mut sum = [0.0_f32; ROWS];
+        for (run, cells) in running.iter_mut().zip(column) {
+            for l in 0..ROWS {
+                run[l] += cells[l];
+                sum[l] += saturate(run[l]);
+            }
+            *cells = *run;
+        }
+        for l in 0..ROWS {
+            covered[l] = sum[l] * (1.0 / S as f32);
+        }
+    }
+}
+
+fn saturate(winding: f32) -> f32 {
+    let w = winding.abs();
+    let w = if w < SNAP { 0.0 } else { w };
+    if w > 1.0 - SNAP { 1.0 } else { w }
+}
+
+/// Derivative of a sub-row's coverage by its winding.
+pub fn slope(winding: f32) -> f32 {
+    if winding.abs() <= SATURATED {
+        winding.signum()
+    } else {
+        0.0
+    }
+}
+
+/// Measures how a tile's path lies over itself; `height` pixel rows are inside the frame.
+pub fn overlap(winding: &[Lane], subrows: usize, columns: usize, height: usize) -> Overlap {
+    let cells = winding[..columns * subrows]
+        .iter()
+        .flat_map(|lane| &lane[..height]);
+    let main: f64 = cells.clone().map(|&w| f64::from(w)).sum::<f64>().signum();
+    let mut found = Overlap::default();
+    for &w in cells {
+        let w = f64::from(w) * main;
+        let share = 1.0 / subrows as f64;
+        found.covered += if w.abs() > 0.5 { share } else { 0.0 };
+        found.folded += if w.abs() > f64::from(SATURATED) {
+            share
+        } else {
+            0.0
+        };
+        found.reversed += if w < -f64::from(SNAP) { share } else { 0.0 };
+    }
+    found
+}

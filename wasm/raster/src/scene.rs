@@ -1,0 +1,196 @@
+//! Checks flat arrays once and names them: paths in painter's order and the frame that they are painted on.
+
+use crate::error::Error;
+
+/// Longest side of a frame; an f32 coordinate is still exact to 1/2048 px there.
+pub const MAX_SIDE: usize = 8192;
+/// Most paths of a call; a tile names its path by a `u32` and a scene of the wire holds at most 4,000.
+pub const MAX_PATHS: usize = 1 << 20;
+/// Most cubic segments of a path.
+pub const MAX_SEGMENTS: usize = 1024;
+/// Farthest control point, in pixels from the origin.
+pub const MAX_COORDINATE: f32 = 65536.0;
+/// Largest colour, opacity, weight or target; keeps every sum finite in f32.
+pub const MAX_COLOUR: f32 = 1e6;
+
+/// Closed chains of cubics in painter's order (bottom first), coordinates in pixels of the frame.
+#[derive(Debug, Clone, Copy)]
+pub struct Paths<'a> {
+    /// Cubic segments of every path, `S`.
+    pub segments: usize,
+    /// Control points, `[n, 3S, 2]`: anchor, handle, handle, anchor, …
+    pub points: &'a [f32],
+    /// Two stops of unpremultiplied sRGB and opacity, `[n, 2, 4]`; a solid fill uses the first.
+    pub stops: &'a [f32],
+    /// Gradient axis from the first stop to the second, `[n, 4]`: x1, y1, x2, y2.
+    pub axis: &'a [f32],
+    /// Whether the fill is a linear gradient, `[n]`.
+    pub gradient: &'a [bool],
+    /// Index of the clip mask, or -1, `[n]`.
+    pub clip: &'a [i32],
+}
+
+/// The picture's size, its background and how coverage is resolved.
+#[derive(Debug, Clone, Copy)]
+pub struct Frame<'a> {
+    pub width: usize,
+    pub height: usize,
+    /// sRGB of the background.
+    pub canvas: [f32; 3],
+    /// Clip masks multiplying opacity, `[k, height, width]`.
+    pub clips: &'a [f32],
+    /// Sub-rows of a pixel (1, 2 or 4) over which `|winding|` saturates: more is closer to the nonzero rule where paths fold.
+    pub subrows: usize,
+    /// Round to 8 bits after every blend, as renderers do; gradients pass straight through.
+    pub quantise: bool,
+}
+
+/// A target for the picture made of the lowest `below` paths.
+#[derive(Debug, Clone, Copy)]
+pub struct Checkpoint<'a> {
+    pub below: usize,
+    /// sRGB, `[height, width, 3]`.
+    pub target: &'a [f32],
+    /// Weight of every pixel, `[height, width]`.
+    pub weight: &'a [f32],
+}
+
+/// Where the gradient of the picture comes from.
+#[derive(Debug, Clone, Copy)]
+pub enum Objective<'a> {
+    /// Sum over checkpoints of `Σ weight·|C − target|² / (3·height·width)`.
+    Checkpoints(&'a [Checkpoint<'a>]),
+    /// The gradient of some other loss with respect to the finished picture, `[height, width, 3]`.
+    Upstream(&'a [f32]),
+}
+
+impl Paths<'_> {
+    /// Number of paths, `n`.
+    pub fn len(&self) -> usize {
+        self.gradient.len()
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.gradient.is_empty()
+    }
+
+    /// Refuses arrays of wrong length, values that are not finite and counts beyond the limits.
+    pub fn check(&self, frame: &Frame<'_>) -> Result<(), Error> {
+        let n = self.len();
+        size("number of paths", n, 0, MAX_PATHS)?;
+        size("segments of a path", self.segments, 1, MAX_SEGMENTS)?;
+        length("points", self.points, n * self.segments * 6)?;
+        length("stops", self.stops, n * 8)?;
+        length("axis", self.axis, n * 4)?;
+        if self.clip.len() != n {
+            return Err(Error::Length {
+                name: "clip",
+                got: self.clip.len(),
+                expected: n,
+            });
+        }
+        within("points", self.points, MAX_COORDINATE)?;
+        within("stops", self.stops, MAX_COLOUR)?;
+        within("axis", self.axis, MAX_COORDINATE)?;
+        let masks = frame.clips.len() / (frame.width * frame.height);
+        match self.clip.iter().find(|&&c| c < -1 || c >= masks as i32) {
+            Some(&got) => Err(Error::Clip { got, masks }),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Frame<'_> {
+    /// Refuses sizes beyond the limits and masks that do not fit the frame.
+    pub fn check(&self) -> Result<(), Error> {
+        size("width", self.width, 1, MAX_SIDE)?;
+        size("height", self.height, 1, MAX_SIDE)?;
+        if ![1, 2, 4].contains(&self.subrows) {
+            return Err(Error::Size {
+                name: "subrows (1, 2 or 4)",
+                got: self.subrows,
+                least: 1,
+                most: 4,
+            });
+        }
+        let pixels = self.width * self.height;
+        length(
+            "clips",
+            self.clips,
+            self.clips.len().div_ceil(pixels) * pixels,
+        )?;
+        within("canvas", &self.canvas, MAX_COLOUR)?;
+        within("clips", self.clips, MAX_COLOUR)
+    }
+}
+
+impl Objective<'_> {
+    /// Refuses targets that do not fit the frame and checkpoints out of order.
+    pub fn check(&self, n_paths: usize, frame: &Frame<'_>) -> Result<(), Error> {
+        let pixels = frame.width * frame.height;
+        match self {
+            Self::Upstream(grad) => {
+                length("grad_image", grad, pixels * 3)?;
+                within("grad_image", grad, MAX_COLOUR)
+            }
+            Self::Checkpoints(checkpoints) => {
+                let mut after = 0;
+                for checkpoint in *checkpoints {
+                    if checkpoint.below < after || checkpoint.below > n_paths {
+                        return Err(Error::Order {
+                            got: checkpoint.below,
+                            after,
+                        });
+                    }
+                    after = checkpoint.below;
+                    length("target", checkpoint.target, pixels * 3)?;
+                    length("weight", checkpoint.weight, pixels)?;
+                    within("target", checkpoint.target, MAX_COLOUR)?;
+                    within("weight", checkpoint.weight, MAX_COLOUR)?;
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+fn size(name: &'static str, got: usize, least: usize, most: usize) -> Result<(), Error> {
+    if (least..=most).contains(&got) {
+        Ok(())
+    } else {
+        Err(Error::Size {
+            name,
+            got,
+            least,
+            most,
+        })
+    }
+}
+
+fn length(name: &'static str, values: &[f32], expected: usize) -> Result<(), Error> {
+    if values.len() == expected {
+        Ok(())
+    } else {
+        Err(Error::Length {
+            name,
+            got: values.len(),
+            expected,
+        })
+    }
+}
+
+fn within(name: &'static str, values: &[f32], limit: f32) -> Result<(), Error> {
+    // A reduction without early exit is vectorised; NaN fails the comparison and is found by the search below.
+    let fine = values
+        .iter()
+        .fold(true, |fine, v| fine & (v.abs() <= limit));
+    if fine {
+        return Ok(());
+    }
+    let got = values
+        .iter()
+        .copied()
+        .find(|v| v.is_nan() || v.abs() > limit)
+        .unwrap_or(f32::NAN);
+    Err(Error::Value { name, got, limit })
+}
