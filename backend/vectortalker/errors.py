@@ -1,4 +1,7 @@
-"""Typed errors. Raised where found, translated once at the border (server: `{code, message}`; CLI: one line and an exit code)."""
+"""Typed errors. Raised where found, translated once at the border.
+
+The server answers `{code, message}`; the CLI prints one line and exits with a code.
+"""
 
 from __future__ import annotations
 
@@ -17,6 +20,8 @@ ErrorCode = Literal[
     "storage_full",
     "unsupported",
     "cancelled",
+    "bad_request",  # HTTP that does not fit the API: unknown route, malformed or oversized body
+    "internal",  # a fault of ours, or a worker that died
 ]
 
 

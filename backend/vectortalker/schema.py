@@ -1,6 +1,7 @@
 """The one contract: every value that crosses the HTTP border or is stored in a project file.
 
-The browser's types are generated from the OpenAPI document made of these models (`npm run gen`); a test checks for drift.
+The browser's types are generated from the OpenAPI document made of these models (`npm run gen`); a test checks for
+drift.
 All coordinates are portrait pixels (x, y), y down, unless a field says otherwise.
 """
 
@@ -8,15 +9,20 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, FiniteFloat
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, FiniteFloat
+
+from vectortalker.errors import ErrorCode
 
 SCHEMA_VERSION = 1
 N_LANDMARKS = 68  # iBUG order
+NUMBERS_PER_SEGMENT = 6  # anchor, handle, handle
 
 Unit = Annotated[FiniteFloat, Field(ge=0, le=1)]
 Xy = tuple[FiniteFloat, FiniteFloat]
 HexColour = Annotated[str, Field(pattern=r"^#[0-9a-f]{6}$")]
-Part = Literal["left_eye", "right_eye", "left_iris", "right_iris", "mouth_cavity", "mouth_lower", "tongue", "mouth_upper"]
+Part = Literal[
+    "left_eye", "right_eye", "left_iris", "right_iris", "mouth_cavity", "mouth_lower", "tongue", "mouth_upper"
+]
 
 
 class Wire(BaseModel):
@@ -51,10 +57,16 @@ class LinearFill(Wire):
 Fill = Annotated[SolidFill | LinearFill, Field(discriminator="kind")]
 
 
-class ScenePath(Wire):
-    """Closed chain of cubics: flat x, y of `anchor, handle, handle` per segment; the last segment ends at the first anchor."""
+def _whole_segments(points: list[float]) -> list[float]:
+    if len(points) % NUMBERS_PER_SEGMENT:
+        raise ValueError(f"{len(points)} numbers are no whole number of segments of {NUMBERS_PER_SEGMENT}")
+    return points
 
-    points: Annotated[list[FiniteFloat], Field(min_length=12)]
+
+class ScenePath(Wire):
+    """Closed chain of cubics: flat x, y of `anchor, handle, handle` a segment; the last one ends at the first anchor."""
+
+    points: Annotated[list[FiniteFloat], Field(min_length=12), AfterValidator(_whole_segments)]
     fill: Fill
 
 
@@ -65,8 +77,8 @@ class LocalPath(ScenePath):
 class Scene(Wire):
     """Layered portrait in painter's order. `canvas` fills the whole frame beneath `back`."""
 
-    width: Annotated[float, Field(gt=0)]
-    height: Annotated[float, Field(gt=0)]
+    width: Annotated[FiniteFloat, Field(gt=0)]
+    height: Annotated[FiniteFloat, Field(gt=0)]
     canvas: HexColour
     back: list[ScenePath]
     fore: list[ScenePath]
@@ -171,7 +183,9 @@ class Metrics(Wire):
 
 
 class ApiError(Wire):
-    code: str
+    """What the server answers instead of a value; `message` is one sentence for the user."""
+
+    code: ErrorCode
     message: str
 
 
@@ -208,7 +222,7 @@ class Pose(Wire):
 
 
 class Track(Wire):
-    """Poses over time. `landmarks` are offsets from a neutral face (closed lips, open eyes); either or both are given."""
+    """Poses over time. `landmarks`: offsets from a neutral face (closed lips, open eyes); either or both are given."""
 
     model_config = ConfigDict(frozen=True, extra="allow")
 
@@ -243,6 +257,15 @@ class VideoRequest(Wire):
     scene: Scene
     landmarks: Landmarks
     track: Track
-    fps: Annotated[float, Field(ge=1, le=60)] = 25
+    fps: Annotated[FiniteFloat, Field(ge=1, le=60)] = 25
     size: Annotated[int, Field(ge=64, le=2048)] = 512
     format: Literal["mp4", "webm", "gif"] = "mp4"
+
+
+class Health(Wire):
+    """`workers` counts the worker processes that have loaded everything, `queued` and `running` the jobs."""
+
+    version: str
+    workers: int
+    queued: int
+    running: int

@@ -1,8 +1,13 @@
 // Generated from openapi.json by `npm run gen`; never edited by hand.
 
+/** What the server answers instead of a value; `message` is one sentence for the user. */
 export type ApiError = {
-  code: string;
+  code: 'bad_picture' | 'picture_too_large' | 'bad_option' | 'bad_landmarks' | 'bad_project' | 'bad_track' | 'bad_audio' | 'not_found' | 'queue_full' | 'storage_full' | 'unsupported' | 'cancelled' | 'bad_request' | 'internal';
   message: string;
+};
+
+export type Body_add_portrait = {
+  file: string;
 };
 
 export type Box = {
@@ -24,6 +29,14 @@ export type Faces = {
   width: number;
   height: number;
   faces: Face[];
+};
+
+/** `workers` counts the worker processes that have loaded everything, `queued` and `running` the jobs. */
+export type Health = {
+  version: string;
+  workers: number;
+  queued: number;
+  running: number;
 };
 
 export type Iris = {
@@ -131,7 +144,7 @@ export type Scene = {
   local: LocalPath[];
 };
 
-/** Closed chain of cubics: flat x, y of `anchor, handle, handle` per segment; the last segment ends at the first anchor. */
+/** Closed chain of cubics: flat x, y of `anchor, handle, handle` a segment; the last one ends at the first anchor. */
 export type ScenePath = {
   points: number[];
   fill: SolidFill | LinearFill;
@@ -148,7 +161,7 @@ export type Stop = {
   opacity: number;
 };
 
-/** Poses over time. `landmarks` are offsets from a neutral face (closed lips, open eyes); either or both are given. */
+/** Poses over time. `landmarks`: offsets from a neutral face (closed lips, open eyes); either or both are given. */
 export type Track = {
   schema_version: 1;
   name: string;

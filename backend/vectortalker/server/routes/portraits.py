@@ -1,0 +1,50 @@
+"""Portraits: upload, picture, faces, deletion."""
+
+from __future__ import annotations
+
+import anyio
+from anyio import to_thread
+from fastapi import APIRouter, Response, UploadFile
+
+from vectortalker import schema
+from vectortalker.server import portraits
+from vectortalker.server.routes.access import Has, Id
+from vectortalker.server.run import folder
+
+router = APIRouter(prefix="/api/portraits", tags=["portraits"])
+
+DECODING = anyio.CapacityLimiter(2)  # a 50 MP picture takes up to 1 GB while it is decoded
+
+
+@router.post("", status_code=201)
+async def add_portrait(file: UploadFile, has: Has) -> schema.Portrait:
+    """Limits are checked before any pixel is decoded."""
+    data = await file.read()
+    return await to_thread.run_sync(portraits.add, has.blobs, data, file.filename or "", limiter=DECODING)
+
+
+@router.get("/{portrait_id}", operation_id="get_portrait")
+def get_portrait(portrait_id: Id, has: Has) -> schema.Portrait:
+    return portraits.describe(has.blobs, portrait_id)
+
+
+@router.get("/{portrait_id}/image", response_class=Response, responses={200: {"content": {"image/png": {}}}})
+def get_image(portrait_id: Id, has: Has) -> Response:
+    """The normalised picture."""
+    headers = {"Cache-Control": "private, max-age=3600"}
+    return Response(portraits.image(has.blobs, portrait_id), media_type="image/png", headers=headers)
+
+
+@router.get("/{portrait_id}/faces")
+async def get_faces(portrait_id: Id, has: Has) -> schema.Faces:
+    return await to_thread.run_sync(portraits.faces, has.blobs, portrait_id, limiter=DECODING)
+
+
+@router.delete("/{portrait_id}", status_code=204)
+def delete_portrait(portrait_id: Id, has: Has) -> None:
+    """Everything made from it goes with it; what is being made is stopped."""
+    portraits.delete(has.blobs, portrait_id)
+    for job_id in has.jobs.of_portrait(portrait_id):
+        has.jobs.cancel(job_id)
+        has.blobs.delete_folder(folder(job_id))
+        has.jobs.forget(job_id)
