@@ -1,7 +1,7 @@
 """A rotated rectangle of a picture becomes the square input of a model.
 
-The nets were trained behind one sampling rule, and half a pixel of shift or a smoothing filter costs .7-.9 % of the eye distance:
-output pixel i reads the rectangle at i / size (no half-pixel shift, no antialiasing), bilinearly, at positions rounded to
+The nets were trained behind one sampling rule; half a pixel of shift or a smoothing filter costs .7-.9 % of the eye distance.
+Output pixel i reads the rectangle at i / size (no half-pixel shift, no antialiasing), bilinearly, at positions rounded to
 1/32 px, and the result is rounded to 8 bits.
 """
 
@@ -17,7 +17,7 @@ SUB_PIXELS = 32
 
 @dataclass(frozen=True)
 class Window:
-    """Rectangle in picture pixels (corner 0, 0; no pixel-centre shift), rotated clockwise on screen by `angle` radians."""
+    """Rectangle in picture pixels (sample i of a row at x = i), rotated clockwise on screen by `angle` radians."""
 
     cx: float
     cy: float
