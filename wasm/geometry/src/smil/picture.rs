@@ -1,0 +1,68 @@
+//! What is written: a picture that stays the same, and the motion of its outlines.
+
+use std::ops::Range;
+
+use crate::point::Point;
+
+/// Colour (sRGB bytes) and opacity (0…1) at one end of a gradient, or of a whole fill.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stop {
+    pub colour: [u8; 3],
+    pub opacity: f64,
+}
+
+/// Paint of a path. The ends of a gradient move, so they are part of the motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fill {
+    Solid(Stop),
+    Linear([Stop; 2]),
+}
+
+/// Paths in painter's order: `n_back` that never move, `n_fore`, and the local ones, each clipped by an opening.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    pub width: f64,
+    pub height: f64,
+    pub canvas: [u8; 3],
+    pub n_back: usize,
+    pub n_fore: usize,
+    pub fills: Vec<Fill>,
+    /// Opening (0…2, in the order of `Opening::ALL`) of each local path.
+    pub openings: Vec<usize>,
+}
+
+impl Picture {
+    pub(super) fn back(&self) -> Range<usize> {
+        0..self.n_back
+    }
+
+    pub(super) fn fore(&self) -> Range<usize> {
+        self.n_back..self.n_back + self.n_fore
+    }
+
+    /// Runs of local paths that one opening clips.
+    pub(super) fn clipped(&self) -> Vec<(usize, Range<usize>)> {
+        let mut first = self.n_back + self.n_fore;
+        self.openings
+            .chunk_by(|a, b| a == b)
+            .map(|run| {
+                let paths = first..first + run.len();
+                first = paths.end;
+                (run[0], paths)
+            })
+            .collect()
+    }
+}
+
+/// Where everything is in each of `n_frames` frames, evenly spaced from the start to the end of the animation.
+///
+/// A path or opening has the same number of points in all frames: a closed chain of cubics, `anchor, handle, handle`.
+pub trait Motion {
+    fn n_frames(&self) -> usize;
+    fn path(&self, path: usize, frame: usize) -> Vec<Point>;
+    fn opening(&self, opening: usize, frame: usize) -> Vec<Point>;
+    /// Ends of the gradient of `path`.
+    fn axis(&self, path: usize, frame: usize) -> [Point; 2];
+    /// Points of the face that move with the skull and little else, at least two.
+    fn head(&self, frame: usize) -> Vec<Point>;
+}
