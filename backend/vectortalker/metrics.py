@@ -1,4 +1,4 @@
-"""An SVG text and the portrait become scores, as docs/benchmarks.md defines them: resvg's picture at the working size."""
+"""An SVG text and a portrait become scores (docs/benchmarks.md): what resvg paints at the working size is compared."""
 
 from __future__ import annotations
 
@@ -37,9 +37,9 @@ def psnr(mean_squared_error: float) -> float:
 
 
 def ssim(picture: NDArray[np.uint8], target: NDArray[np.uint8]) -> float:
-    """Structural similarity with Wang's Gaussian window, per channel, mean; equal to scikit-image's with those settings.
+    """Structural similarity with Wang's Gaussian window, mean over channels; equal to scikit-image's so set (tested).
 
-    Both [H, W, 3], each side at least 11 px. Written out here because importing scikit-image costs half a second.
+    Both [H, W, 3]. Where a side is shorter than the window, its border pixels count too.
     """
     x, y = picture.astype(np.float64) / 255, target.astype(np.float64) / 255
     mean_x, mean_y = _window_mean(x), _window_mean(y)
@@ -48,8 +48,8 @@ def ssim(picture: NDArray[np.uint8], target: NDArray[np.uint8]) -> float:
     covariance = _window_mean(x * y) - mean_x * mean_y
     luminance = (2 * mean_x * mean_y + C1) / (mean_x**2 + mean_y**2 + C1)
     structure = (2 * covariance + C2) / (variance_x + variance_y + C2)
-    inner = slice(SSIM_RADIUS, -SSIM_RADIUS)
-    return float((luminance * structure)[inner, inner].mean())
+    rows, columns = (slice(SSIM_RADIUS, -SSIM_RADIUS) if n > 2 * SSIM_RADIUS else slice(None) for n in x.shape[:2])
+    return float((luminance * structure)[rows, columns].mean())
 
 
 def _window_mean(image: NDArray[np.float64]) -> NDArray[np.float64]:

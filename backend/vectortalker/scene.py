@@ -77,12 +77,6 @@ def empty_layer(segments: int) -> Layer:
     )
 
 
-def scale_layer(layer: Layer, factor: float) -> Layer:
-    """The same paths in pixels `factor` times as small."""
-    factor32 = np.float32(factor)
-    return Layer(layer.points * factor32, layer.stops, layer.axis * factor32, layer.gradient, layer.part)
-
-
 def order_local(layer: Layer) -> Layer:
     """Local paths grouped by opening, in painter's order within each; openings do not overlap, so the picture stays."""
     return layer[np.argsort(OPENING_OF_PART[layer.part], kind="stable")]
@@ -138,7 +132,7 @@ def from_wire(scene: schema.Scene) -> LayeredScene:
 
 def _path_fields(layer: Layer) -> list[dict]:
     written = quantise(layer)
-    points = np.round(written.points.astype(np.float64), 2).reshape(len(layer), -1).tolist()
+    points = np.round(written.points.astype(np.float64), 2).reshape(len(layer), 2 * layer.points.shape[1]).tolist()
     axes = np.round(written.axis.astype(np.float64), 2).tolist()
     opacity = np.round(written.stops[..., 3].astype(np.float64), 3).tolist()
     return [

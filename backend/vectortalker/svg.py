@@ -12,23 +12,27 @@ from numpy.typing import NDArray
 from vectortalker.scene import OPENING_OF_PART, OPENINGS, PARTS
 from vectortalker.schema import Fill, LinearFill, LocalPath, Scene, ScenePath
 
+BLEED = 0.05  # of the frame's sides: more than half a pixel of any picture of 10 px or more
 
-def to_svg(scene: Scene, openings: Sequence[NDArray[np.float64]], title: str) -> str:
+
+def to_svg(scene: Scene, openings: Sequence[NDArray[np.float64]], title: str, size: tuple[int, int]) -> str:
     """Valid SVG 1.1 on its own: `viewBox` in portrait pixels, `<g id="back">`, `<g id="fore">`, `<g id="local">`.
 
-    `openings`: closed cubic outlines [3S, 2] of left eye, right eye and mouth (`scene.OPENINGS`); an empty one hides its
-    paths, as a closed mouth does; none at all, and the local groups are not clipped.
+    `size`: width and height in px at which it is shown if the page says nothing; a working picture's whole pixels,
+    because renderers that scale the `viewBox` alone round its sides in their own ways.
+    `openings`: closed cubic outlines [3S, 2] of left eye, right eye and mouth (`scene.OPENINGS`); an empty one hides
+    its paths, as a closed mouth does; none at all, and the local groups are not clipped.
     """
     paths = [*scene.back, *scene.fore, *scene.local]
     gradients = [_gradient(index, path.fill) for index, path in enumerate(paths) if isinstance(path.fill, LinearFill)]
     n_back, n_below = len(scene.back), len(scene.back) + len(scene.fore)
-    width, height = number(scene.width), number(scene.height)
+    box = f"0 0 {number(scene.width)} {number(scene.height)}"
     lines = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" height="{height}">',
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}" width="{size[0]}" height="{size[1]}">',
         f"<title>{escape(title)}</title>",
         f"<desc>Layered vector portrait of {len(paths)} paths: back, fore, local. Made with VectorTalker.</desc>",
         *_definitions(gradients, openings),
-        f'<rect width="{width}" height="{height}" fill="{scene.canvas}"/>',
+        _canvas(scene),
         *_group("back", scene.back, 0),
         *_group("fore", scene.fore, n_back),
         *_local_group(scene.local, n_below, clipped=len(openings) > 0),
@@ -71,6 +75,13 @@ def _gradient(index: int, fill: LinearFill) -> str:
     )
     ends = f'x1="{number(x1)}" y1="{number(y1)}" x2="{number(x2)}" y2="{number(y2)}"'
     return f'<linearGradient id="g{index}" gradientUnits="userSpaceOnUse" {ends}>{stops}</linearGradient>'
+
+
+def _canvas(scene: Scene) -> str:
+    """Ground a little larger than the frame, so that no page shows beside it when a viewer rounds the sides."""
+    width, height = number(scene.width * (1 + 2 * BLEED)), number(scene.height * (1 + 2 * BLEED))
+    x, y = number(-scene.width * BLEED), number(-scene.height * BLEED)
+    return f'<rect x="{x}" y="{y}" width="{width}" height="{height}" fill="{scene.canvas}"/>'
 
 
 def _group(name: str, paths: Sequence[ScenePath], first_index: int) -> list[str]:

@@ -1,0 +1,124 @@
+"""A portrait and its landmarks become a layered scene, its SVG and its scores, with reports on the way."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Generator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vectortalker import metrics
+from vectortalker.decode import Portrait, canonical
+from vectortalker.scene import LayeredScene, to_wire
+from vectortalker.schema import Landmarks, Metrics, Scene, VectorizeOptions
+from vectortalker.svg import to_svg
+from vectortalker.vectorize.frame import Frame, fit, layer_to_portrait
+from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, TOP
+from vectortalker.vectorize.optimise import Start, Step, optimise
+from vectortalker.vectorize.options import Settings, resolve
+from vectortalker.vectorize.population import Population, empty_population
+from vectortalker.vectorize.progress import Checkpoint, Progress, Result
+from vectortalker.vectorize.resume import checkpoint, restore
+from vectortalker.vectorize.schedule import LevelPlan, plan
+from vectortalker.vectorize.targets import prepare
+
+PREPARED = 0.05  # share of the time spent before the first level
+OPTIMISED = 0.97  # and up to the end of the last
+FILL_PARAMETERS = {"solid": 4, "linear": 12}  # colour and opacity; two of each and two axis ends
+
+
+def vectorize(
+    portrait: Portrait,
+    landmarks: Landmarks | None,
+    options: VectorizeOptions,
+    *,
+    finish_early: Callable[[], bool] = lambda: False,
+    resume: Checkpoint | None = None,
+    threads: int = 0,
+) -> Generator[Progress, None, Result]:
+    """Vectorise level by level; closing the generator stops the work within a tenth of a second.
+
+    `finish_early` is asked at every report: true ends the optimisation where it is. `resume` continues after the level
+    it was taken at and must come from the same portrait and options (`VectorTalkerError` `bad_option` otherwise).
+    `threads` 0 uses all cores; the result does not depend on it.
+    """
+    clock, cpu_clock = time.perf_counter(), time.process_time()
+    settings = resolve(options)
+    picture = canonical(portrait, settings.working_size)
+    frame = fit(portrait.width, portrait.height, picture.shape[1], picture.shape[0])
+    plans = plan(settings, (frame.width, frame.height))
+    yield Progress("preparing", 0, settings.levels, 0, 0.0)
+    targets = prepare(portrait, landmarks, picture, frame, settings)
+    start = restore(resume, settings) if resume else Start(empty_population(settings.segments), 0, 0)
+    run = optimise(targets.level, plans, settings, start, threads, finish_early)
+    while True:
+        try:
+            step = next(run)
+        except StopIteration as end:
+            last: Step = end.value
+            break
+        yield _report(step, plans, settings, frame, portrait, targets.canvas)
+    scene = compose(last.population, plans[last.level_index].frame, frame, portrait, targets.canvas)
+    svg = to_svg(scene, targets.openings, portrait.name, (frame.width, frame.height))
+    yield Progress("measuring", last.level_index + 1, settings.levels, len(last.population), OPTIMISED, scene)
+    elapsed = time.perf_counter() - clock, time.process_time() - cpu_clock
+    return Result(scene, svg, _measure(scene, svg, picture, settings, last.iteration, elapsed))
+
+
+def compose(
+    population: Population, level: tuple[int, int], frame: Frame, portrait: Portrait, canvas: NDArray[np.float32]
+) -> Scene:
+    """The population of a level of (width, height) px as a scene in portrait px."""
+    layers = (population.layer(*groups) for groups in ((BACK, FORE), (FORE, FIRST_LOCAL), (FIRST_LOCAL, TOP)))
+    back, fore, local = (layer_to_portrait(layer, frame, level) for layer in layers)
+    return to_wire(LayeredScene(portrait.width, portrait.height, canvas, back, fore, local))
+
+
+def _report(
+    step: Step,
+    plans: list[LevelPlan],
+    settings: Settings,
+    frame: Frame,
+    portrait: Portrait,
+    canvas: NDArray[np.float32],
+) -> Progress:
+    total = sum(level.iterations for level in plans)
+    return Progress(
+        stage=f"level {step.level_index + 1} of {settings.levels}",
+        level=step.level_index + 1,
+        levels=settings.levels,
+        n_paths=len(step.population),
+        fraction=PREPARED + (OPTIMISED - PREPARED) * step.iteration / total,
+        scene=compose(step.population, plans[step.level_index].frame, frame, portrait, canvas)
+        if step.picture
+        else None,
+        checkpoint=checkpoint(step, settings) if step.level_done else None,
+    )
+
+
+def _measure(
+    scene: Scene,
+    svg: str,
+    picture: NDArray[np.uint8],
+    settings: Settings,
+    iterations: int,
+    elapsed: tuple[float, float],
+) -> Metrics:
+    painted = metrics.render(svg, picture.shape[1], picture.shape[0])
+    squared_error = metrics.mse(painted, picture)
+    size, gzip_size = metrics.file_sizes(svg)
+    paths = [*scene.back, *scene.fore, *scene.local]
+    return Metrics(
+        paths=len(paths),
+        segments=len(paths) * settings.segments,
+        parameters=sum(len(path.points) + FILL_PARAMETERS[path.fill.kind] for path in paths),
+        iterations=iterations,
+        seconds=elapsed[0],
+        cpu_seconds=elapsed[1],
+        bytes=size,
+        gzip_bytes=gzip_size,
+        mse=squared_error,
+        psnr=metrics.psnr(squared_error),
+        ssim=metrics.ssim(painted, picture),
+    )

@@ -1,0 +1,58 @@
+"""What the optimiser fits at one level: a sheet per layer, the openings' masks, and what fore must leave alone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+BACK, FORE, FIRST_LOCAL = 0, 1, 2  # group of a path; local paths have group FIRST_LOCAL + part
+TOP = FIRST_LOCAL + 8  # above all groups
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """One of the paper's losses (supplement B): the picture of all paths in groups under `below` against `target`.
+
+    `target` f32 [H, W, 3]; `weight` f32 [H, W] of the squared error; `claim` f32 [H, W]: weight of the error when
+    places for new paths are sought, 0 where another layer must explain it; `owner` i64 [H, W]: group of a path seeded
+    there.
+    """
+
+    below: int
+    target: NDArray[np.float32]
+    weight: NDArray[np.float32]
+    claim: NDArray[np.float32]
+    owner: NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Level:
+    """Targets at one resolution. `sheets` bottom to top, the last is the merged picture.
+
+    `clips` f32 [k, H, W]: coverage of the openings. `scenery` f32 [h, w], at a quarter of the resolution: where fore
+    paths must paint nothing, because they will move and the scenery will not; None without layers.
+    """
+
+    sheets: tuple[Sheet, ...]
+    clips: NDArray[np.float32]
+    scenery: NDArray[np.float32] | None
+    canvas: NDArray[np.float32]
+
+    @property
+    def picture(self) -> NDArray[np.float32]:
+        return self.sheets[-1].target
+
+    @property
+    def frame(self) -> tuple[int, int]:
+        """Width and height in px."""
+        return self.picture.shape[1], self.picture.shape[0]
+
+
+def single_sheet_level(picture: NDArray[np.float32], group: int, canvas: NDArray[np.float32]) -> Level:
+    """Everything in one group, for `--no-layers` and for pictures without a person."""
+    height, width, _ = picture.shape
+    ones = np.ones((height, width), np.float32)
+    sheet = Sheet(TOP, picture, ones, ones, np.full((height, width), group, np.int64))
+    return Level((sheet,), np.zeros((0, height, width), np.float32), None, canvas)

@@ -1,0 +1,106 @@
+"""A population and a level become loss, gradients and importance: the paper's four losses in one fused pass."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import vectortalker_core as core
+from numpy.typing import NDArray
+
+from vectortalker.scene import OPENING_OF_PART
+from vectortalker.vectorize.level import FIRST_LOCAL, FORE, Level
+from vectortalker.vectorize.population import Population
+
+SCENERY_SCALE = 0.25  # resolution of the confinement pass: a sixteenth of the pixels
+CONFINEMENT = 0.5  # weight of fore paint over scenery, against 1 for a squared error of the picture
+
+
+@dataclass(frozen=True)
+class Fidelity:
+    """How closely a pass follows what renderers paint: sub-rows a pixel (1, 2, 4), 8-bit rounding, threads (0: all)."""
+
+    subrows: int = 1
+    quantise: bool = False
+    threads: int = 0
+
+
+@dataclass(frozen=True)
+class Evaluation:
+    """`loss` of all sheets, merged `image` f32 [H, W, 3], gradients by array name, `importance` f64 [n] if wanted."""
+
+    loss: float
+    image: NDArray[np.float32]
+    gradients: dict[str, NDArray[np.float32]]
+    importance: NDArray[np.float64] | None
+
+
+def clip_indices(population: Population) -> NDArray[np.int32]:
+    """Mask of every path's opening [n], −1 outside the local layer."""
+    part = population.group - FIRST_LOCAL
+    return np.where(part >= 0, OPENING_OF_PART[np.maximum(part, 0)], -1).astype(np.int32)
+
+
+def evaluate(population: Population, level: Level, fidelity: Fidelity, importance: bool = False) -> Evaluation:
+    """L_back + L_fore + L_merged of supplement B, each after its layer in painter's order.
+
+    L_local is the merged error within the openings, whose weight is raised there.
+    """
+    checkpoints = [(population.below(sheet.below), sheet.target, sheet.weight) for sheet in level.sheets]
+    losses, image, grad_points, grad_stops, grad_axis, gains = core.loss_and_gradients(
+        population.points,
+        population.stops,
+        population.axis,
+        population.gradient,
+        clip_indices(population),
+        level.clips,
+        level.canvas,
+        checkpoints,
+        subrows=fidelity.subrows,
+        threads=fidelity.threads,
+        importance=importance,
+        quantise=fidelity.quantise,
+    )
+    gradients = {"points": grad_points, "stops": grad_stops, "axis": grad_axis}
+    return Evaluation(float(np.sum(losses)), image, gradients, gains)
+
+
+def confine_fore(
+    population: Population, scenery: NDArray[np.float32], screen: NDArray[np.float32], threads: int
+) -> dict[str, NDArray[np.float32]]:
+    """Gradients of the fore paths alone over a `screen` colour f32 [3]: whatever they change over scenery is error."""
+    fore = slice(population.below(FORE), population.below(FIRST_LOCAL))
+    height, width = scenery.shape
+    target = np.broadcast_to(screen, (height, width, 3)).astype(np.float32)
+    scale = np.float32(SCENERY_SCALE)
+    _, _, grad_points, grad_stops, grad_axis, _ = core.loss_and_gradients(
+        population.points[fore] * scale,
+        population.stops[fore],
+        population.axis[fore] * scale,
+        population.gradient[fore],
+        np.full(fore.stop - fore.start, -1, np.int32),
+        np.zeros((0, height, width), np.float32),
+        screen,
+        [(fore.stop - fore.start, target, scenery)],
+        threads=threads,
+    )
+    return {"points": grad_points * scale, "stops": grad_stops, "axis": grad_axis * scale}
+
+
+def picture_below(population: Population, level: Level, group: int, fidelity: Fidelity) -> NDArray[np.float32]:
+    """Image f32 [H, W, 3] of the paths under the first of `group`."""
+    n = population.below(group)
+    width, height = level.frame
+    return core.rasterize(
+        population.points[:n],
+        population.stops[:n],
+        population.axis[:n],
+        population.gradient[:n],
+        clip_indices(population)[:n],
+        level.clips,
+        level.canvas,
+        width,
+        height,
+        subrows=fidelity.subrows,
+        threads=fidelity.threads,
+    )

@@ -1,0 +1,119 @@
+"""Levels and a plan become an optimised population, one report at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vectortalker.vectorize.level import Level
+from vectortalker.vectorize.losses import Fidelity, evaluate
+from vectortalker.vectorize.options import Settings
+from vectortalker.vectorize.population import Population, move, rescale, take
+from vectortalker.vectorize.schedule import RECIPES, Ingredients, LevelPlan, decay
+from vectortalker.vectorize.seeding import seed
+
+REPORT_EVERY = 10  # iterations; a cancelled job stops within a tenth of a second
+PICTURE_EVERY = 100  # iterations between scenes worth showing
+REALLOCATE_EVERY = 50
+LEAST_IMPORTANCE = 0.25  # paths under this share of the mean importance are moved …
+MOST_MOVED = 0.08  # … at most this share of all at a time
+REALLOCATED_RADIUS = 0.8  # of the level's
+CONFINE_EVERY = 2  # iterations; its weight makes up for the rest
+
+
+@dataclass(frozen=True)
+class Start:
+    """Where to begin: `population` in the pixels of the last of `levels` finished levels, `iterations` spent."""
+
+    population: Population
+    levels: int
+    iterations: int
+
+
+@dataclass(frozen=True)
+class Step:
+    """Where the optimiser is. `picture`: worth showing; `level_done`: a whole level has been finished."""
+
+    population: Population
+    level_index: int
+    iteration: int
+    picture: bool
+    level_done: bool
+
+
+def optimise(
+    level_at: Callable[[int, LevelPlan], Level],
+    plans: list[LevelPlan],
+    settings: Settings,
+    start: Start,
+    threads: int,
+    finish_early: Callable[[], bool],
+) -> Generator[Step, None, Step]:
+    """Run the levels after `start` and return the last step; `level_at` makes a level's targets when its turn comes."""
+    ingredients = RECIPES[settings.recipe]
+    total = sum(level_plan.iterations for level_plan in plans)
+    population, done = start.population, start.iterations
+    step = Step(population, start.levels, done, picture=False, level_done=False)
+    for index in range(start.levels, len(plans)):
+        level_plan, last = plans[index], index == len(plans) - 1
+        level = level_at(index, level_plan)
+        generator = np.random.default_rng((settings.seed, index))
+        if index:
+            rescale(population, plans[index - 1].frame, level_plan.frame)
+        missing = level_plan.paths - len(population)
+        population = seed(
+            population, level, missing, level_plan.radius, ingredients, settings.fills == "gradient", generator
+        )
+        yield Step(population, index, done, picture=index > 0, level_done=False)
+        for i in range(1, level_plan.iterations + 1):
+            polish = last and i > level_plan.iterations - ingredients.polish
+            moving = i % REALLOCATE_EVERY == 0 and (not last or i < ingredients.reallocate * level_plan.iterations)
+            population = _iterate(
+                population,
+                level,
+                settings,
+                ingredients,
+                decay(done, total, ingredients.decay_from),
+                Fidelity(4, True, threads) if polish else Fidelity(1, False, threads),
+                level_plan.radius * REALLOCATED_RADIUS if moving and ingredients.reallocate else None,
+                generator,
+            )
+            done += 1
+            if i % REPORT_EVERY == 0 or i == level_plan.iterations:
+                finished = i == level_plan.iterations
+                step = Step(population, index, done, finished or i % PICTURE_EVERY == 0, finished)
+                yield step
+                if finish_early():
+                    return step
+    return step
+
+
+def _iterate(
+    population: Population,
+    level: Level,
+    settings: Settings,
+    ingredients: Ingredients,
+    rate: float,
+    fidelity: Fidelity,
+    moved_radius: float | None,
+    generator: np.random.Generator,
+) -> Population:
+    """One step of Adam and, if `moved_radius` is given, a re-allocation of the least important paths after it."""
+    result = evaluate(population, level, fidelity, importance=moved_radius is not None)
+    gradients = result.gradients
+    move(population, gradients, ingredients.rates.scaled(rate), level.frame, settings.opaque)
+    if moved_radius is None or result.importance is None:
+        return population
+    weak = least_important(result.importance)
+    kept = take(population, np.setdiff1d(np.arange(len(population)), weak))
+    gradient = settings.fills == "gradient"
+    return seed(kept, level, len(weak), moved_radius, ingredients, gradient, generator)
+
+
+def least_important(importance: NDArray[np.float64]) -> NDArray[np.int64]:
+    """Indices of the paths to move: the weakest, under `LEAST_IMPORTANCE` of the mean, `MOST_MOVED` of all at most."""
+    order = np.argsort(importance, kind="stable")[: int(MOST_MOVED * len(importance))]
+    return order[importance[order] < LEAST_IMPORTANCE * importance.mean()]

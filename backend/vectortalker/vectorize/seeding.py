@@ -1,0 +1,76 @@
+"""A population and a level get new paths: where the error is, in the layer that owns the place."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vectortalker.vectorize.level import Level
+from vectortalker.vectorize.losses import Fidelity, picture_below
+from vectortalker.vectorize.peaks import coherent_energy, error_samples, greedy_maxima
+from vectortalker.vectorize.population import Population, insert
+from vectortalker.vectorize.schedule import Ingredients
+from vectortalker.vectorize.starts import Start, circle_start, contour_start
+
+CROWDING = 0.5  # radius shrinks by it when a level has fewer peaks than new paths
+ROUNDS = 4
+
+
+def seed(
+    population: Population,
+    level: Level,
+    count: int,
+    radius: float,
+    ingredients: Ingredients,
+    gradient: bool,
+    generator: np.random.Generator,
+) -> Population:
+    """`count` more paths, each on top of the layer that it belongs to; fewer only where no error at all is left."""
+    residuals = [sheet.target - picture_below(population, level, sheet.below, Fidelity()) for sheet in level.sheets]
+    segments = population.points.shape[1] // 3
+    starts: list[Start] = []
+    groups: list[int] = []
+    for centre, sheet_index, reach in _places(level, residuals, count, radius, ingredients, generator):
+        sheet = level.sheets[sheet_index]
+        if ingredients.contours:
+            claimed = residuals[sheet_index] * (sheet.claim > 0)[..., None]
+            starts.append(contour_start(sheet.target, claimed, centre, reach, segments))
+        else:
+            starts.append(circle_start(sheet.target, centre, reach, segments))
+        groups.append(int(sheet.owner[centre[1], centre[0]]))
+    return insert(population, starts, np.array(groups, np.int64), gradient)
+
+
+Place = tuple[tuple[int, int], int, float]  # centre x, y; sheet; radius
+
+
+def _places(
+    level: Level,
+    residuals: list[NDArray[np.float32]],
+    count: int,
+    radius: float,
+    ingredients: Ingredients,
+    generator: np.random.Generator,
+) -> list[Place]:
+    if ingredients.seeds == "peaks":
+        return _peak_places(level, residuals, count, radius)
+    if ingredients.seeds == "samples":
+        squares = [(r**2).sum(axis=2) * s.claim for r, s in zip(residuals, level.sheets, strict=True)]
+        energies = np.stack(squares)
+    else:
+        energies = np.stack([(sheet.claim > 0).astype(np.float32) for sheet in level.sheets])
+    centres, sheets = error_samples(energies, count, generator)
+    return [((int(x), int(y)), int(sheet), radius) for (x, y), sheet in zip(centres, sheets, strict=True)]
+
+
+def _peak_places(level: Level, residuals: list[NDArray[np.float32]], count: int, radius: float) -> list[Place]:
+    """Coherent peaks; what does not fit at one spacing is sought at half of it."""
+    places: list[Place] = []
+    for _ in range(ROUNDS):
+        energies = [coherent_energy(r, s.claim, radius) for r, s in zip(residuals, level.sheets, strict=True)]
+        centres, sheets = greedy_maxima(np.stack(energies), radius, count - len(places))
+        places += [((int(x), int(y)), int(sheet), radius) for (x, y), sheet in zip(centres, sheets, strict=True)]
+        if len(places) == count:
+            break
+        radius *= CROWDING
+    return places
