@@ -2,8 +2,8 @@
 //!
 //! Both passes keep the colour *below* each path: un-compositing by `1/(1 − α)` would break on opaque paths.
 
-use crate::cells::{Lane, ROWS};
 use crate::fill::{Fill, FillGradient, Moments};
+use crate::walk::{Lane, ROWS};
 
 /// One column of colours, channel by channel.
 pub type Rgb = [Lane; 3];

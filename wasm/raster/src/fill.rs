@@ -1,6 +1,6 @@
 //! Solid and two-stop linear fills, as SVG paints them: padded, unpremultiplied, interpolated in sRGB.
 
-use crate::cells::{Lane, ROWS};
+use crate::walk::{Lane, ROWS};
 
 /// Gradient of the loss by one path's fill.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

@@ -3,7 +3,7 @@
 use crate::scene::Paths;
 
 /// Farthest that a chord may stray from its cubic, in pixels: below the noise of 8-bit edges.
-const TOLERANCE: f32 = 0.02;
+const TOLERANCE: f32 = 0.05;
 /// Fewer chords would starve the handles of gradient: with 4 the trapezoid rule over their weights is 6 % short.
 const LEAST_CHORDS: f32 = 4.0;
 /// More chords are not needed below a curvature that only off-canvas or wildly folded segments have.
@@ -21,7 +21,9 @@ pub struct Chords {
     /// Number of chords of each segment, `[n·S]`.
     pub count: Vec<u32>,
     /// Lowest and highest y of each segment, `[n·S]`.
-    pub rows: Vec<(f32, f32)>,
+    pub segment_rows: Vec<(f32, f32)>,
+    /// Lowest and highest y of each path, `[n]`.
+    pub path_rows: Vec<(f32, f32)>,
 }
 
 /// Flattens every segment at `t = k/n`, `n` by Wang's bound on the distance between a cubic and its chords.
@@ -36,6 +38,11 @@ pub fn flatten(paths: &Paths<'_>) -> Chords {
         for j in 0..paths.segments {
             push_segment(&mut chords, cubic(ring, j));
         }
+        let segments = chords.segment_rows[chords.segment_rows.len() - paths.segments..].iter();
+        let rows = segments.fold((f32::MAX, f32::MIN), |all, one| {
+            (all.0.min(one.0), all.1.max(one.1))
+        });
+        chords.path_rows.push(rows);
         chords.x.push(chords.x[first]);
         chords.y.push(chords.y[first]);
     }
@@ -67,16 +74,17 @@ fn push_segment(chords: &mut Chords, p: [[f32; 2]; 4]) {
         low = low.min(yt);
         high = high.max(yt);
     }
-    chords.rows.push((low, high));
+    chords.segment_rows.push((low, high));
 }
 
 /// Wang's bound: `n = √(6·M / (8·tolerance))`, `M` the larger second difference of the control points.
 fn n_chords(p: &[[f32; 2]; 4]) -> u32 {
     let bend = |a: [f32; 2], b: [f32; 2], c: [f32; 2]| {
-        (a[0] - 2.0 * b[0] + c[0]).hypot(a[1] - 2.0 * b[1] + c[1])
+        let d = [0, 1].map(|k| a[k] - 2.0 * b[k] + c[k]);
+        d[0] * d[0] + d[1] * d[1]
     };
-    let m = bend(p[0], p[1], p[2]).max(bend(p[1], p[2], p[3]));
-    (0.75 * m / TOLERANCE)
+    let m = bend(p[0], p[1], p[2]).max(bend(p[1], p[2], p[3])).sqrt();
+    (0.75 / TOLERANCE * m)
         .sqrt()
         .ceil()
         .clamp(LEAST_CHORDS, MOST_CHORDS) as u32
@@ -90,10 +98,4 @@ fn power_basis(p: [f32; 4]) -> [f32; 4] {
 
 fn horner(c: [f32; 4], t: f32) -> f32 {
     ((c[3] * t + c[2]) * t + c[1]) * t + c[0]
-}
-
-/// Bernstein weights of the four control points at `t`.
-pub fn bernstein(t: f32) -> [f32; 4] {
-    let s = 1.0 - t;
-    [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t]
 }

@@ -1,63 +1,75 @@
-//! Carries coverage gradients to control points by the boundary integral (Reynolds' transport theorem).
+//! Carries winding gradients to control points by the boundary integral (Reynolds' transport theorem).
 
-use crate::cells::{Lane, Passage, Piece};
-use crate::flatten::{Chords, bernstein};
-use crate::resolve::slope;
+use crate::clip::Piece;
+use crate::flatten::Chords;
+use crate::walk::Passage;
 
-/// What the boundary integral reads: windings and coverage gradients of one tile.
+/// Pieces of a band with their passages, and the gradient of the loss by the winding of every cell.
 #[derive(Debug)]
-pub struct Field<'a> {
-    /// Windings of the whole band.
-    pub winding: &'a [f32],
-    /// Gradient of the loss by coverage, the tile's columns.
-    pub grad_coverage: &'a [Lane],
-    /// First winding cell of the tile.
-    pub base: usize,
-    pub subrows: usize,
+pub struct Boundary<'a> {
+    pub pieces: &'a [Piece],
+    /// First passage of each piece, and the end of the last one's.
+    pub starts: &'a [usize],
+    pub passages: &'a [Passage],
+    pub grad_winding: &'a [f32],
 }
 
-impl Field<'_> {
-    /// Gradient of the loss by the winding of a cell, times the number of sub-rows.
-    fn at(&self, cell: u32) -> f32 {
-        let local = cell as usize - self.base;
-        let rows = crate::cells::ROWS;
-        self.grad_coverage[local / (rows * self.subrows)][local % rows]
-            * slope(self.winding[cell as usize])
-    }
-}
-
-/// Adds the gradient of one piece to its segment's path, `grad_points [S, 3, 2]`.
+/// Adds the gradients of one path's pieces to its control points, `grad_points [S, 3, 2]`.
 ///
 /// For a chord `P(t) = (1 − t)·P0 + t·P1`, `Δ = P1 − P0` and `G = ∂loss/∂winding`: `∂loss/∂P1 = (−Δy, Δx)·∫G·t dt`, likewise
 /// `P0` with `1 − t`; downward edges wind positively to their right.
-pub fn add_piece(
-    chords: &Chords,
-    field: &Field<'_>,
-    piece: &Piece,
-    passages: &[Passage],
-    grad_points: &mut [f32],
-) {
+pub fn add_path(chords: &Chords, boundary: &Boundary<'_>, grad_points: &mut [f32]) {
+    let mut index = 0;
+    for run in boundary.pieces.chunk_by(|a, b| a.segment == b.segment) {
+        let segment = run[0].segment as usize;
+        let step = 1.0 / chords.count[segment] as f32;
+        let mut moments = [[0.0_f32; 4]; 2];
+        for piece in run {
+            let passages = &boundary.passages[boundary.starts[index]..boundary.starts[index + 1]];
+            index += 1;
+            let [start, end] = integrate(piece, passages, boundary.grad_winding);
+            let v = piece.vertex as usize;
+            let normal = [chords.y[v] - chords.y[v + 1], chords.x[v + 1] - chords.x[v]];
+            let k = (piece.vertex - chords.start[segment]) as f32;
+            let (at_start, at_end) = (powers(k * step), powers((k + 1.0) * step));
+            for power in 0..4 {
+                let share = at_start[power] * start + at_end[power] * end;
+                moments[0][power] += share * normal[0];
+                moments[1][power] += share * normal[1];
+            }
+        }
+        let first = segment % chords.segments * 6;
+        for (axis, m) in moments.into_iter().enumerate() {
+            for (j, g) in bernstein(m).into_iter().enumerate() {
+                grad_points[(first + 2 * j + axis) % (6 * chords.segments)] += g;
+            }
+        }
+    }
+}
+
+/// `∫G·(1 − t) dt` and `∫G·t dt` over the part of the chord that a piece is.
+fn integrate(piece: &Piece, passages: &[Passage], grad_winding: &[f32]) -> [f32; 2] {
     let (mut whole, mut first, mut start) = (0.0_f32, 0.0_f32, 0.0_f32);
     for passage in passages {
-        let g = field.at(passage.cell);
-        let length = passage.end - start;
-        whole += g * length;
-        first += g * length * 0.5 * (passage.end + start);
+        let g = grad_winding[passage.cell as usize] * (passage.end - start);
+        whole += g;
+        first += g * (passage.end + start);
         start = passage.end;
     }
-    let towards_end = piece.share * (piece.t0 * whole + piece.share * first);
-    let towards_start = piece.share * whole - towards_end;
+    let end = piece.share * (piece.t0 * whole + 0.5 * piece.share * first);
+    [piece.share * whole - end, end]
+}
 
-    let (v, segment) = (piece.vertex as usize, piece.segment as usize);
-    let normal = [chords.y[v] - chords.y[v + 1], chords.x[v + 1] - chords.x[v]];
-    let step = 1.0 / chords.count[segment] as f32;
-    let k = (piece.vertex - chords.start[segment]) as f32;
-    let (at_start, at_end) = (bernstein(k * step), bernstein((k + 1.0) * step));
-    let first_point = segment % chords.segments * 6;
-    for j in 0..4 {
-        let share = at_start[j] * towards_start + at_end[j] * towards_end;
-        let i = (first_point + 2 * j) % grad_points.len();
-        grad_points[i] += share * normal[0];
-        grad_points[i + 1] += share * normal[1];
-    }
+fn powers(t: f32) -> [f32; 4] {
+    [1.0, t, t * t, t * t * t]
+}
+
+/// Sums over powers of `t` turned into sums over the Bernstein weights of the four control points.
+fn bernstein([m0, m1, m2, m3]: [f32; 4]) -> [f32; 4] {
+    [
+        m0 - 3.0 * (m1 - m2) - m3,
+        3.0 * (m1 - 2.0 * m2 + m3),
+        3.0 * (m2 - m3),
+        m3,
+    ]
 }

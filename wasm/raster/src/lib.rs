@@ -8,8 +8,9 @@
 #![allow(clippy::needless_range_loop)]
 
 mod band;
-mod cells;
+mod clip;
 mod composite;
+mod cover;
 mod error;
 mod fill;
 mod flatten;
@@ -18,14 +19,17 @@ mod resolve;
 mod scene;
 mod seam;
 mod threads;
+mod transpose;
+mod walk;
 
-use band::{Band, BandGradient, Call};
-use cells::ROWS;
+use band::{Band, BandGradient};
+use cover::Call;
 pub use error::Error;
 pub use resolve::Overlap;
 pub use scene::{
     Checkpoint, Frame, MAX_COORDINATE, MAX_PATHS, MAX_SEGMENTS, MAX_SIDE, Objective, Paths,
 };
+use walk::ROWS;
 
 /// Losses, picture and gradients of one call; shapes as in [`Paths`].
 #[derive(Debug, Clone, PartialEq)]

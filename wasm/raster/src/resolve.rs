@@ -1,11 +1,11 @@
 //! Turns winding differences into coverage by the nonzero rule.
 
-use crate::cells::{Lane, ROWS};
+use crate::walk::{Lane, ROWS};
 
 /// Rounding of long sums leaves this much winding where there is none.
 const SNAP: f32 = 1e-4;
 /// Above this much winding coverage is saturated and does not answer to a path's outline.
-pub const SATURATED: f32 = 1.0005;
+const SATURATED: f32 = 1.0005;
 
 /// How often a path lies over itself, in pixel areas.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -44,12 +44,21 @@ fn saturate(winding: f32) -> f32 {
     if w > 1.0 - SNAP { 1.0 } else { w }
 }
 
-/// Derivative of a sub-row's coverage by its winding.
-pub fn slope(winding: f32) -> f32 {
-    if winding.abs() <= SATURATED {
-        winding.signum()
-    } else {
-        0.0
+/// Turns the windings of a tile into gradients of the loss by them, given those by its coverage.
+///
+/// The factor `1/S` of the average cancels against the `S` times finer rows of the boundary integral.
+pub fn grad_winding<const S: usize>(winding: &mut [Lane], grad_coverage: &[Lane]) {
+    for (column, grad) in winding.as_chunks_mut::<S>().0.iter_mut().zip(grad_coverage) {
+        for cells in column {
+            for l in 0..ROWS {
+                let saturated = cells[l].abs() > SATURATED;
+                cells[l] = if saturated {
+                    0.0
+                } else {
+                    grad[l] * cells[l].signum()
+                };
+            }
+        }
     }
 }
 

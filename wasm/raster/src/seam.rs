@@ -1,8 +1,9 @@
 //! Reads targets into a band, measures the loss there and yields the gradient that enters at that height of the stack.
 
-use crate::cells::{Lane, ROWS};
 use crate::composite::Rgb;
 use crate::scene::{Checkpoint, Frame};
+use crate::transpose::read;
+use crate::walk::{Lane, ROWS};
 
 /// Gradient that joins the backward pass below path `below`, over one band.
 #[derive(Debug, Default)]
@@ -29,8 +30,13 @@ impl Seam {
         self.grad.resize(frame.width, [[0.0; ROWS]; 3]);
         self.curvature.clear();
         self.curvature.resize(frame.width, [0.0; ROWS]);
-        read_rgb(checkpoint.target, frame, top, &mut self.grad);
-        read_grey(checkpoint.weight, frame, top, &mut self.curvature);
+        read(
+            checkpoint.target,
+            3 * frame.width,
+            top,
+            self.grad.as_flattened_mut(),
+        );
+        read(checkpoint.weight, frame.width, top, &mut self.curvature);
         let mut sums = [0.0_f64; ROWS];
         for ((g, q), c) in self.grad.iter_mut().zip(&mut self.curvature).zip(picture) {
             for l in 0..ROWS {
@@ -54,57 +60,28 @@ impl Seam {
         self.grad.resize(frame.width, [[0.0; ROWS]; 3]);
         self.curvature.clear();
         self.curvature.resize(frame.width, [0.0; ROWS]);
-        read_rgb(grad_image, frame, top, &mut self.grad);
+        read(
+            grad_image,
+            3 * frame.width,
+            top,
+            self.grad.as_flattened_mut(),
+        );
     }
-}
 
-/// Columns transposed at a time: they stay in the first-level cache.
-const BLOCK: usize = 16;
-
-/// Transposes the band's rows of `image [height, width, 3]`; rows below the frame keep their values.
-pub fn read_rgb(image: &[f32], frame: &Frame<'_>, top: usize, band: &mut [Rgb]) {
-    let stride = 3 * frame.width;
-    for (block, columns) in band.chunks_mut(BLOCK).enumerate() {
-        let first = 3 * BLOCK * block;
-        for (row, line) in image.chunks_exact(stride).skip(top).take(ROWS).enumerate() {
-            let pixels = line[first..].as_chunks::<3>().0;
-            for (column, pixel) in columns.iter_mut().zip(pixels) {
-                for k in 0..3 {
-                    column[k][row] = pixel[k];
-                }
-            }
-        }
-    }
-}
-
-/// Transposes the band's rows of `image [height, width]`; rows below the frame keep their values.
-pub fn read_grey(image: &[f32], frame: &Frame<'_>, top: usize, band: &mut [Lane]) {
-    for (block, columns) in band.chunks_mut(BLOCK).enumerate() {
-        let first = BLOCK * block;
-        for (row, line) in image
-            .chunks_exact(frame.width)
-            .skip(top)
-            .take(ROWS)
-            .enumerate()
+    /// Adds this checkpoint's gradient and curvature to what comes down from above.
+    pub fn join(&self, grad: &mut [Rgb], curvature: &mut [Lane]) {
+        for (g, joining) in grad
+            .as_flattened_mut()
+            .iter_mut()
+            .zip(self.grad.as_flattened())
         {
-            for (column, value) in columns.iter_mut().zip(&line[first..]) {
-                column[row] = *value;
+            for l in 0..ROWS {
+                g[l] += joining[l];
             }
         }
-    }
-}
-
-/// Transposes a band back into rows, `[height, width, 3]`, as many as `image` holds.
-pub fn write_rgb(band: &[Rgb], image: &mut [f32]) {
-    let stride = 3 * band.len();
-    for (block, columns) in band.chunks(BLOCK).enumerate() {
-        let first = 3 * BLOCK * block;
-        for (row, line) in image.chunks_exact_mut(stride).enumerate() {
-            let pixels = line[first..].as_chunks_mut::<3>().0;
-            for (column, pixel) in columns.iter().zip(pixels) {
-                for k in 0..3 {
-                    pixel[k] = column[k][row];
-                }
+        for (q, joining) in curvature.iter_mut().zip(&self.curvature) {
+            for l in 0..ROWS {
+                q[l] += joining[l];
             }
         }
     }

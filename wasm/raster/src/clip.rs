@@ -1,15 +1,7 @@
-//! Clips a path's chords to a band and walks them pixel by pixel, adding exact signed areas.
-//!
-//! A band is [`ROWS`] pixel rows of the frame. Inside it everything is stored by column: a *lane* holds the `ROWS` pixels of
-//! one column, so that running sums along x and all blending are plain vector operations without tails.
+//! Cuts a path's chords at the borders of a band and of the canvas.
 
 use crate::flatten::Chords;
-
-/// Pixel rows of a band: one 512-bit or two 256-bit vectors.
-pub const ROWS: usize = 16;
-
-/// One value for each of a column's pixels in a band.
-pub type Lane = [f32; ROWS];
+use crate::walk::ROWS;
 
 /// The part of a chord inside the band and the canvas; x in pixels, y in sub-rows below the band's top.
 #[derive(Debug, Clone, Copy)]
@@ -22,18 +14,10 @@ pub struct Piece {
     /// Parts projected onto the left border have no share: they wind, but no pixel sees them move.
     pub t0: f32,
     pub share: f32,
-    x: f32,
-    y: f32,
-    dx: f32,
-    dy: f32,
-}
-
-/// A passage of a piece through one cell, ending at parameter `end` of the piece; it starts where the one before ended.
-#[derive(Debug, Clone, Copy)]
-pub struct Passage {
-    /// Index of the cell among the winding cells of the band.
-    pub cell: u32,
-    pub end: f32,
+    pub x: f32,
+    pub y: f32,
+    pub dx: f32,
+    pub dy: f32,
 }
 
 /// Vertical extent of a band in sub-rows, and the frame's width.
@@ -61,6 +45,10 @@ pub fn clip_path(
 ) -> Option<Columns> {
     let before = pieces.len();
     let (top, bottom) = (window.top as f32, (window.top + ROWS) as f32);
+    let (low, high) = chords.path_rows[path];
+    if high < top || low >= bottom {
+        return None;
+    }
     let mut clip = Clip {
         window,
         pieces,
@@ -69,7 +57,7 @@ pub fn clip_path(
         beyond: false,
     };
     for segment in path * chords.segments..(path + 1) * chords.segments {
-        let (low, high) = chords.rows[segment];
+        let (low, high) = chords.segment_rows[segment];
         if high < top || low >= bottom {
             continue;
         }
@@ -210,107 +198,5 @@ impl Clip<'_> {
         self.low = self.low.min(p.x.min(p.x + p.dx));
         self.high = self.high.max(p.x.max(p.x + p.dx));
         self.pieces.push(p);
-    }
-}
-
-/// Winding cells of one tile: `(columns + 1) · subrows` lanes, starting at cell `base` of the band.
-#[derive(Debug)]
-pub struct Grid<'a> {
-    /// Signed area differences along x; their running sum is the average winding.
-    pub cells: &'a mut [f32],
-    pub base: u32,
-    pub columns: Columns,
-    pub subrows: usize,
-}
-
-impl Grid<'_> {
-    /// Cell of a column (counted from the tile's first) and a sub-row.
-    fn index(&self, column: usize, subrow: usize) -> usize {
-        (column * self.subrows + subrow % self.subrows) * ROWS + subrow / self.subrows
-    }
-
-    /// Walks a piece through the cells that it crosses, adds its areas and notes its passages.
-    ///
-    /// A passage spanning `d` rows at mean distance `m` from its cell's left side covers `d·(1 − m)` of the cell and all `d`
-    /// of the cells to the right of it, hence `d·m` more from the next cell on.
-    pub fn walk(&mut self, p: &Piece, passages: &mut Vec<Passage>) {
-        let (right, bottom) = (
-            (self.columns.last - self.columns.first) as i32 - 1,
-            (ROWS * self.subrows) as i32 - 1,
-        );
-        let x = p.x - self.columns.first as f32;
-        let mut across = Axis::new(x, p.dx);
-        let mut down = Axis::new(p.y, p.dy);
-        let next_column = ROWS * self.subrows;
-        let mut start = 0.0_f32;
-        loop {
-            let end = across.next.min(down.next).min(1.0).max(start);
-            let column = across.cell.clamp(0, right) as usize;
-            let cell = self.index(column, down.cell.clamp(0, bottom) as usize);
-            let d = (end - start) * p.dy;
-            let m = (x + 0.5 * (start + end) * p.dx - column as f32).clamp(0.0, 1.0);
-            self.cells[cell] += d - d * m;
-            self.cells[cell + next_column] += d * m;
-            passages.push(Passage {
-                cell: self.base + cell as u32,
-                end,
-            });
-            if end >= 1.0 {
-                return;
-            }
-            start = end;
-            if across.next <= down.next {
-                across.advance()
-            } else {
-                down.advance()
-            }
-        }
-    }
-}
-
-/// Grid lines of one axis that a piece crosses, one after the other.
-struct Axis {
-    cell: i32,
-    step: i32,
-    /// Parameter of the next crossing.
-    next: f32,
-    origin: f32,
-    inverse: f32,
-}
-
-/// A piece advancing less than this along an axis crosses at most one grid line there, at its very end.
-const STANDSTILL: f32 = 1e-6;
-
-impl Axis {
-    fn new(origin: f32, delta: f32) -> Self {
-        if delta.abs() < STANDSTILL {
-            return Self {
-                cell: origin.floor() as i32,
-                step: 0,
-                next: f32::INFINITY,
-                origin,
-                inverse: 0.0,
-            };
-        }
-        let (cell, step) = if delta > 0.0 {
-            (origin.floor() as i32, 1)
-        } else {
-            (origin.ceil() as i32 - 1, -1)
-        };
-        let mut axis = Self {
-            cell: cell - step,
-            step,
-            next: 0.0,
-            origin,
-            inverse: 1.0 / delta,
-        };
-        axis.advance();
-        axis
-    }
-
-    fn advance(&mut self) {
-        self.cell += self.step;
-        let line = self.cell + i32::from(self.step > 0);
-        self.next = (line as f32 - self.origin) * self.inverse;
     }
 }
