@@ -69,7 +69,7 @@ def optimise(
         )
         yield Step(population, index, done, picture=index > 0, level_done=False)
         for i in range(1, level_plan.iterations + 1):
-            polish = last and i > level_plan.iterations - ingredients.polish
+            polish = last and i > level_plan.iterations * (1 - ingredients.polish)
             moving = i % REALLOCATE_EVERY == 0 and (not last or i < ingredients.reallocate * level_plan.iterations)
             population = _iterate(
                 population,

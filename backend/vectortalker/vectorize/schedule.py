@@ -24,15 +24,15 @@ class Ingredients:
 
     `seeds`: where new paths start. `contours`: they take the residual's outline instead of a circle. `reallocate`:
     share of the last level until which useless paths are moved. `decay_from`: share of all iterations after which rates
-    fall to zero along a cosine. `polish`: last iterations with 4 sub-rows and 8-bit rounding. `coarse`: early levels
-    run at lower resolution.
+    fall to zero along a cosine. `polish`: share of the last level, at its end, with 4 sub-rows and 8-bit rounding.
+    `coarse`: early levels run at lower resolution.
     """
 
     seeds: Literal["peaks", "samples", "uniform"]
     contours: bool
     reallocate: float
     decay_from: float
-    polish: int
+    polish: float
     coarse: bool
     rates: Rates
 
@@ -43,7 +43,7 @@ RECIPES: dict[Recipe, Ingredients] = {
         contours=True,
         reallocate=0.7,
         decay_from=0.75,
-        polish=150,
+        polish=0.1,
         coarse=True,
         rates=Rates(points=0.7, colour=0.03, opacity=0.02, axis=1.0, beta2=0.99),
     ),
@@ -52,7 +52,7 @@ RECIPES: dict[Recipe, Ingredients] = {
         contours=False,
         reallocate=0.0,
         decay_from=1.0,
-        polish=0,
+        polish=0.0,
         coarse=False,
         rates=Rates(points=1.0, colour=0.01, opacity=0.01, axis=1.0, beta2=0.999),  # paper, section 4.1
     ),
@@ -61,7 +61,7 @@ RECIPES: dict[Recipe, Ingredients] = {
         contours=False,
         reallocate=0.0,
         decay_from=1.0,
-        polish=0,
+        polish=0.0,
         coarse=False,
         rates=Rates(points=1.0, colour=0.01, opacity=0.01, axis=1.0, beta2=0.999),
     ),
