@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
 from vectortalker.landmarks.detector import find_faces
+from vectortalker.landmarks.doubt import fit_is_doubtful, wobble
 from vectortalker.landmarks.ibug import IrisDisc, depth_towards_viewer, ibug_points, iris_discs
 from vectortalker.landmarks.mesh import FaceMesh, fit_mesh
 from vectortalker.landmarks.views import View, other_views, plain_view
+from vectortalker.landmarks.window import Window
 
 DETECTION_SIDE = 1024  # larger pictures are scaled to it first; the mesh sees 192 px of a face anyway
 MIN_SCORE = 0.5
 MIN_PRESENCE = 0.5
 CLEAR_SCORE = 0.85  # a plain view this good is not looked at again
 MIN_TILTED_SCORE, MIN_TILTED_PRESENCE = 0.75, 0.95  # animals and textures reach .73 when turned
+PRESENCE_SLACK = 0.95  # the plain picture's fit may be this much less certain than the view's
 TILT_GAIN = 0.08  # a turned view must beat the upright ones by this; an upside-down face scores .8 when read upright
 
 
@@ -42,15 +45,16 @@ class FaceDetection:
 @dataclass(frozen=True)
 class _Found:
     score: float
+    roi: Window
     mesh: FaceMesh
-    view: View
+    image: NDArray[np.uint8]
 
 
 def detect(rgb: NDArray[np.uint8]) -> list[FaceDetection]:
     """Faces of uint8 [H, W, 3]; none is an answer, not an error."""
     small = _scaled(rgb)
     ratio = np.array([rgb.shape[1] / small.shape[1], rgb.shape[0] / small.shape[0]])
-    faces = [_detection(found, ratio) for found in _search(small)]
+    faces = [_detection(found, small, ratio) for found in _search(small)]
     return sorted(faces, key=lambda face: -face.box[2] * face.box[3])
 
 
@@ -65,26 +69,25 @@ def _scaled(rgb: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 def _search(image: NDArray[np.uint8]) -> list[_Found]:
     """The faces of the view that shows one most clearly."""
-    best = _look(plain_view(image))
+    best = _look(plain_view(image), MIN_SCORE)
     if _best_score(best) >= CLEAR_SCORE:
         return best
     for view in other_views(image):
-        seen = _look(view)
-        needed = _best_score(best) if view.upright else max(MIN_TILTED_SCORE, _best_score(best) + TILT_GAIN)
-        if _best_score(seen) > needed:
-            best = seen
+        best_score = max(_best_score(best), MIN_SCORE)
+        needed = best_score if view.upright else max(MIN_TILTED_SCORE, best_score + TILT_GAIN)
+        best = _look(view, needed) or best
     return best
 
 
-def _look(view: View) -> list[_Found]:
-    """Faces seen in one view, best first."""
+def _look(view: View, needed: float) -> list[_Found]:
+    """Faces seen in one view, best first; none if the best does not reach the score `needed`."""
     min_presence = MIN_PRESENCE if view.upright else MIN_TILTED_PRESENCE
-    found = []
+    found: list[_Found] = []
     for box in find_faces(view.image, view.window):
-        if box.score >= MIN_SCORE:
+        if box.score > (MIN_SCORE if found else needed):
             mesh = fit_mesh(view.image, box.roi)
             if mesh.presence >= min_presence:
-                found.append(_Found(box.score, mesh, view))
+                found.append(_Found(box.score, box.roi, mesh, view.image))
     return found
 
 
@@ -92,24 +95,34 @@ def _best_score(found: list[_Found]) -> float:
     return found[0].score if found else 0.0
 
 
-def _detection(found: _Found, ratio: NDArray[np.float64]) -> FaceDetection:
+def _detection(found: _Found, picture: NDArray[np.uint8], ratio: NDArray[np.float64]) -> FaceDetection:
     """Scales a face of the small picture to portrait pixels. Sample i of the models is the pixel whose centre is i + .5."""
-    points = ibug_points(found.mesh.points)
-    left, right = iris_discs(found.mesh.points)
-    depth = depth_towards_viewer(points)
+    mesh, mesh_wobble = _steadiest_fit(found, picture)
+    points = ibug_points(mesh.points)
 
     def to_portrait(xy: NDArray[np.float64]) -> NDArray[np.float64]:
         return (xy + 0.5) * ratio
 
     def iris(disc: IrisDisc) -> IrisDisc:
         x, y = to_portrait(np.array(disc.centre))
-        return replace(disc, centre=(float(x), float(y)), radius=disc.radius * float(ratio.mean()))
+        return IrisDisc((float(x), float(y)), disc.radius * float(ratio.mean()))
 
+    left, right = iris_discs(mesh.points)
     return FaceDetection(
         points=to_portrait(points[:, :2]),
-        depth=depth,
+        depth=depth_towards_viewer(points),
         irises=(iris(left), iris(right)),
-        mesh=to_portrait(found.mesh.points[:, :2]),
-        confidence=found.score * found.mesh.presence,
-        fit_advised=False,
+        mesh=to_portrait(mesh.points[:, :2]),
+        confidence=found.score * mesh.presence,
+        fit_advised=fit_is_doubtful(mesh, found.score, mesh_wobble),
     )
+
+
+def _steadiest_fit(found: _Found, picture: NDArray[np.uint8]) -> tuple[FaceMesh, float]:
+    """Of the fits in the view and in the plain picture the one that wobbles less: a view helps to find, not always to fit."""
+    fits = [(found.mesh, wobble(found.image, found.mesh))]
+    if found.image is not picture:
+        mesh = fit_mesh(picture, found.roi)
+        if mesh.presence >= found.mesh.presence * PRESENCE_SLACK:
+            fits.append((mesh, wobble(picture, mesh)))
+    return min(fits, key=lambda fit: fit[1])

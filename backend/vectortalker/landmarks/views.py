@@ -38,7 +38,7 @@ def plain_view(image: NDArray[np.uint8]) -> View:
 
 def other_views(image: NDArray[np.uint8]) -> Iterator[View]:
     smoothed = _smooth(image)
-    for pixels in (smoothed, _stretch_exposure(smoothed)):
+    for pixels in (smoothed, _smooth(_stretch_exposure(image))):
         yield View(pixels, Window.square_around(image), upright=True)
         yield View(pixels, _enlarged(image, MARGIN, 0), upright=True)
     for tilt in TILTS:
