@@ -32,14 +32,10 @@ def test_ssim_of_a_picture_smaller_than_its_window_is_one_with_itself() -> None:
 
 def test_psnr_of_one_level_of_256_is_48_13_db() -> None:
     grey = np.full((4, 4, 3), 100, np.uint8)
-    assert metrics.psnr(metrics.mse(grey, grey + 1)) == pytest.approx(
-        20 * np.log10(255)
-    )
+    assert metrics.psnr(metrics.mse(grey, grey + 1)) == pytest.approx(20 * np.log10(255))
 
 
-def test_render_has_the_size_asked_for_although_the_sides_do_not_scale_to_whole_pixels() -> (
-    None
-):
+def test_render_has_the_size_asked_for_although_the_sides_do_not_scale_to_whole_pixels() -> None:
     svg = (
         '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 512 600" width="437" height="512">'
         '<rect x="-5" y="-5" width="522" height="610" fill="#102030"/></svg>'

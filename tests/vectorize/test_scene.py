@@ -25,9 +25,7 @@ from vectortalker.svg import number, path_data, to_svg
 SVG = "{http://www.w3.org/2000/svg}"
 
 
-def random_layer(
-    generator: np.random.Generator, n: int, segments: int = 4, local: bool = False
-) -> Layer:
+def random_layer(generator: np.random.Generator, n: int, segments: int = 4, local: bool = False) -> Layer:
     part = generator.integers(0, len(PARTS), n) if local else np.full(n, NO_PART)
     return Layer(
         generator.uniform(-20, 120, (n, 3 * segments, 2)).astype(np.float32),
@@ -56,18 +54,8 @@ def test_rounding_moves_no_value_by_more_than_half_a_step(seed: int) -> None:
     written = from_wire(to_wire(scene))
     assert np.abs(written.back.points - scene.back.points).max() <= 0.005 + 1e-5
     solid = ~scene.fore.gradient
-    assert (
-        np.abs(written.fore.stops[solid, 0, :3] - scene.fore.stops[solid, 0, :3]).max(
-            initial=0
-        )
-        <= 0.5 / 255 + 1e-6
-    )
-    assert (
-        np.abs(written.fore.stops[solid, 0, 3] - scene.fore.stops[solid, 0, 3]).max(
-            initial=0
-        )
-        <= 0.0005 + 1e-6
-    )
+    assert np.abs(written.fore.stops[solid, 0, :3] - scene.fore.stops[solid, 0, :3]).max(initial=0) <= 0.5 / 255 + 1e-6
+    assert np.abs(written.fore.stops[solid, 0, 3] - scene.fore.stops[solid, 0, 3]).max(initial=0) <= 0.0005 + 1e-6
 
 
 def test_local_order_groups_openings_and_keeps_painters_order_within() -> None:
@@ -82,9 +70,7 @@ def test_local_order_groups_openings_and_keeps_painters_order_within() -> None:
 
 def test_from_wire_refuses_mixed_segment_counts() -> None:
     scene = to_wire(random_scene(0))
-    longer = schema.ScenePath(
-        points=[0.0] * 30, fill=schema.SolidFill(colour="#000000")
-    )
+    longer = schema.ScenePath(points=[0.0] * 30, fill=schema.SolidFill(colour="#000000"))
     with pytest.raises(ValueError, match=r"\[4, 5\] segments"):
         from_wire(scene.model_copy(update={"fore": [*scene.fore, longer]}))
 
@@ -105,19 +91,12 @@ def test_number_is_the_shortest_decimal(value: float, text: str) -> None:
 
 
 def test_path_data_closes_the_chain_at_its_first_anchor() -> None:
-    assert (
-        path_data([0, 0, 1, 0, 2, 0, 3, 1, 2, 2, 1, 2])
-        == "M0 0C1 0 2 0 3 1 2 2 1 2 0 0Z"
-    )
+    assert path_data([0, 0, 1, 0, 2, 0, 3, 1, 2, 2, 1, 2]) == "M0 0C1 0 2 0 3 1 2 2 1 2 0 0Z"
 
 
 def svg_root(scene: LayeredScene) -> ET.Element:
-    triangle = np.array(
-        [[0, 0], [10, 0], [20, 0], [30, 10], [20, 20], [10, 20]], np.float64
-    )
-    return ET.fromstring(
-        to_svg(to_wire(scene), [triangle, triangle, triangle[:0]], "A & <B>", (50, 40))
-    )
+    triangle = np.array([[0, 0], [10, 0], [20, 0], [30, 10], [20, 20], [10, 20]], np.float64)
+    return ET.fromstring(to_svg(to_wire(scene), [triangle, triangle, triangle[:0]], "A & <B>", (50, 40)))
 
 
 def test_svg_has_the_three_groups_in_painters_order_and_one_path_each() -> None:
@@ -149,11 +128,7 @@ def test_svg_of_one_solid_and_one_gradient_path_is_the_golden() -> None:
         width=40,
         height=20,
         canvas="#808080",
-        back=[
-            schema.ScenePath(
-                points=square, fill=schema.SolidFill(colour="#112233", opacity=0.5)
-            )
-        ],
+        back=[schema.ScenePath(points=square, fill=schema.SolidFill(colour="#112233", opacity=0.5))],
         fore=[
             schema.ScenePath(
                 points=square,

@@ -1,0 +1,105 @@
+"""Where new paths start and what they look like: properties and closed forms."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import vectortalker_core as core
+from hypothesis import given
+from hypothesis import strategies as st
+from vectortalker.vectorize.peaks import SPACING, coherent_energy, error_samples, greedy_maxima
+from vectortalker.vectorize.starts import affine_fill, circle, contour_start, through_samples
+
+
+def covered(points: np.ndarray, side: int) -> np.ndarray:
+    """Coverage [side, side] of one path."""
+    white = np.ones((1, 2, 4), np.float32)
+    image = core.rasterize(
+        points[None],
+        white,
+        np.array([[0, 0, 1, 0]], np.float32),
+        np.zeros(1, bool),
+        np.full(1, -1, np.int32),
+        np.zeros((0, side, side), np.float32),
+        np.zeros(3, np.float32),
+        side,
+        side,
+    )
+    return image[..., 0]
+
+
+@given(st.integers(0, 10_000), st.floats(1, 12), st.integers(1, 60))
+def test_greedy_maxima_descend_and_keep_their_distance(seed: int, radius: float, count: int) -> None:
+    energies = np.random.default_rng(seed).random((2, 30, 40)).astype(np.float32)
+    centres, sheets = greedy_maxima(energies, radius, count)
+    values = energies[sheets, centres[:, 1], centres[:, 0]]
+    assert np.all(np.diff(values) <= 0)
+    reach = max(1, round(SPACING * radius))
+    for sheet in (0, 1):
+        own = centres[sheets == sheet].astype(float)
+        gaps = np.linalg.norm(own[:, None] - own[None], axis=2) + 1e9 * np.eye(len(own))
+        assert gaps.min(initial=1e9) > reach
+
+
+def test_greedy_maxima_stop_where_no_energy_is_left() -> None:
+    energies = np.zeros((1, 20, 20), np.float32)
+    energies[0, 3, 4] = 1
+    centres, sheets = greedy_maxima(energies, 2.0, 5)
+    assert centres.tolist() == [[4, 3]]
+    assert sheets.tolist() == [0]
+
+
+def test_coherent_energy_prefers_a_faint_patch_to_strong_texture() -> None:
+    residual = np.zeros((40, 80, 3), np.float32)
+    residual[:, :40] = np.where(np.indices((40, 40)).sum(axis=0) % 2, 0.5, -0.5)[..., None]
+    residual[15:25, 55:65] = 0.1
+    energy = coherent_energy(residual, np.ones((40, 80), np.float32), 4.0)
+    assert energy[:, 45:].max() > 10 * energy[10:30, 5:35].max()
+
+
+def test_error_samples_fall_only_where_there_is_error() -> None:
+    energies = np.zeros((2, 10, 10), np.float32)
+    energies[1, 2:4, 5:7] = 1
+    centres, sheets = error_samples(energies, 200, np.random.default_rng(0))
+    assert set(sheets.tolist()) == {1}
+    assert {tuple(c) for c in centres.tolist()} == {(5, 2), (6, 2), (5, 3), (6, 3)}
+
+
+@pytest.mark.parametrize("segments", [3, 8, 32])
+def test_circle_covers_its_area(segments: int) -> None:
+    points = circle((20, 20), 15, segments)
+    assert points.shape == (3 * segments, 2)
+    assert covered(points, 40).sum() == pytest.approx(np.pi * 15**2, rel=6e-3)  # chords lie inside the curve
+
+
+def test_cubics_through_samples_pass_them_at_thirds() -> None:
+    angle = np.linspace(0, 2 * np.pi, 241)
+    outline = np.stack([30 * np.cos(angle), 20 * np.sin(angle)], axis=1)
+    points = through_samples(outline, 4).reshape(4, 3, 2).astype(float)
+    ends = np.roll(points[:, 0], -1, axis=0)
+    for t in (1 / 3, 2 / 3):
+        basis = ((1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t**2 * (1 - t), t**3)
+        on_curve = sum(b * p for b, p in zip(basis, (points[:, 0], points[:, 1], points[:, 2], ends), strict=True))
+        assert np.allclose((on_curve[:, 0] / 30) ** 2 + (on_curve[:, 1] / 20) ** 2, 1, atol=2e-3)
+
+
+def test_contour_start_takes_the_outline_and_colour_of_its_component() -> None:
+    y, x = np.mgrid[:80, :80]
+    bean = (((x - 40) / 22.0) ** 2 + ((y - 40) / 9.0) ** 2 < 1) & ~((np.abs(x - 40) < 6) & (y < 36))
+    target = np.where(bean[..., None], [0.9, 0.2, 0.1], 0.5).astype(np.float32)
+    residual = (target - 0.5).astype(np.float32)
+    start = contour_start(target, residual, (40, 42), 12, 8)
+    found = covered(start.points, 80) > 0.5
+    assert (found & bean).sum() / (found | bean).sum() > 0.75  # the notch is blurred
+    assert np.allclose(start.stops[:, :3].mean(axis=0), [0.9, 0.2, 0.1], atol=0.08)
+
+
+def test_affine_fill_reproduces_linear_colours() -> None:
+    y, x = np.mgrid[:20, :30]
+    ramp = (0.2 + 0.02 * x)[..., None] * np.ones(3)
+    stops, axis = affine_fill(ramp.astype(np.float32), np.ones((20, 30), bool), (100, 50))
+    start, end = axis[:2].astype(float), axis[2:].astype(float)
+    at = np.stack([x + 100.5, y + 50.5], axis=-1)
+    share = np.clip((at - start) @ (end - start) / ((end - start) @ (end - start)), 0, 1)
+    painted = stops[0, :3] + share[..., None] * (stops[1, :3] - stops[0, :3])
+    assert np.abs(painted - ramp).max() < 2e-3
