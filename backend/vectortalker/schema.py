@@ -7,18 +7,24 @@ All coordinates are portrait pixels (x, y), y down, unless a field says otherwis
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, FiniteFloat
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, FiniteFloat, model_validator
 
 from vectortalker.errors import ErrorCode
 
 SCHEMA_VERSION = 1
 N_LANDMARKS = 68  # iBUG order
 NUMBERS_PER_SEGMENT = 6  # anchor, handle, handle
+FRAME_COUNT_TOLERANCE = 1.5  # rounded durations, and one frame at the end or not
 
 Unit = Annotated[FiniteFloat, Field(ge=0, le=1)]
-Xy = tuple[FiniteFloat, FiniteFloat]
+Coordinate = Annotated[FiniteFloat, Field(ge=-1e6, le=1e6)]  # far beyond any portrait, and no product overflows
+Xy = tuple[Coordinate, Coordinate]
+Side = Annotated[FiniteFloat, Field(gt=0, le=65536)]
+Offset = Annotated[FiniteFloat, Field(ge=-100, le=100)]  # units of the outer-eye distance
+OffsetXy = tuple[Offset, Offset]
+Articulation = Annotated[FiniteFloat, Field(ge=-360, le=360)]  # head turns are in degrees, all else within -1…1
 HexColour = Annotated[str, Field(pattern=r"^#[0-9a-f]{6}$")]
 Part = Literal[
     "left_eye", "right_eye", "left_iris", "right_iris", "mouth_cavity", "mouth_lower", "tongue", "mouth_upper"
@@ -64,9 +70,9 @@ def _whole_segments(points: list[float]) -> list[float]:
 
 
 class ScenePath(Wire):
-    """Closed chain of cubics: flat x, y of `anchor, handle, handle` a segment; the last one ends at the first anchor."""
+    """Closed chain of cubics: flat x, y of `anchor, handle, handle` a segment; the last ends at the first anchor."""
 
-    points: Annotated[list[FiniteFloat], Field(min_length=12), AfterValidator(_whole_segments)]
+    points: Annotated[list[Coordinate], Field(min_length=12), AfterValidator(_whole_segments)]
     fill: Fill
 
 
@@ -77,8 +83,8 @@ class LocalPath(ScenePath):
 class Scene(Wire):
     """Layered portrait in painter's order. `canvas` fills the whole frame beneath `back`."""
 
-    width: Annotated[FiniteFloat, Field(gt=0)]
-    height: Annotated[FiniteFloat, Field(gt=0)]
+    width: Side
+    height: Side
     canvas: HexColour
     back: list[ScenePath]
     fore: list[ScenePath]
@@ -90,7 +96,7 @@ class Scene(Wire):
 
 class Iris(Wire):
     centre: Xy
-    radius: Annotated[FiniteFloat, Field(gt=0)]
+    radius: Side
 
 
 class Landmarks(Wire):
@@ -98,7 +104,7 @@ class Landmarks(Wire):
 
     points: Annotated[list[Xy], Field(min_length=N_LANDMARKS, max_length=N_LANDMARKS)]
     irises: tuple[Iris, Iris] | None = None
-    depth: Annotated[list[FiniteFloat], Field(min_length=N_LANDMARKS, max_length=N_LANDMARKS)] | None = None
+    depth: Annotated[list[Offset], Field(min_length=N_LANDMARKS, max_length=N_LANDMARKS)] | None = None
 
 
 class Box(Wire):
@@ -217,8 +223,8 @@ class JobState(Wire):
 class Pose(Wire):
     """Articulators and landmark offsets (units of the outer-eye distance, from rest); both add up."""
 
-    articulators: dict[str, FiniteFloat] = {}
-    offsets: Annotated[list[Xy], Field(min_length=N_LANDMARKS, max_length=N_LANDMARKS)] | None = None
+    articulators: dict[str, Articulation] = {}
+    offsets: Annotated[list[OffsetXy], Field(min_length=N_LANDMARKS, max_length=N_LANDMARKS)] | None = None
 
 
 class Track(Wire):
@@ -230,8 +236,24 @@ class Track(Wire):
     name: str = "track"
     duration: Annotated[FiniteFloat, Field(gt=0, le=3600)]
     fps: Annotated[FiniteFloat, Field(gt=0, le=240)]
-    landmarks: list[Annotated[list[Xy], Field(min_length=N_LANDMARKS, max_length=N_LANDMARKS)]] | None = None
-    articulators: dict[str, list[FiniteFloat]] | None = None
+    landmarks: list[Annotated[list[OffsetXy], Field(min_length=N_LANDMARKS, max_length=N_LANDMARKS)]] | None = None
+    articulators: dict[str, list[Articulation]] | None = None
+
+    @model_validator(mode="after")
+    def _fill_duration(self) -> Self:
+        """Every channel has a frame every 1 / fps seconds, with or without one at the very end."""
+        channels = {f"articulator {name}": len(values) for name, values in (self.articulators or {}).items()}
+        if self.landmarks is not None:
+            channels["landmarks"] = len(self.landmarks)
+        if not channels:
+            raise ValueError("a track needs landmarks or articulators")
+        for name, frames in channels.items():
+            if frames < 1 or abs(frames - self.duration * self.fps) > FRAME_COUNT_TOLERANCE:
+                raise ValueError(
+                    f"{name} has {frames} frames; {self.duration:g} s at {self.fps:g} frames a second"
+                    f" need {round(self.duration * self.fps)}"
+                )
+        return self
 
 
 class Project(Wire):

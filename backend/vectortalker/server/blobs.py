@@ -49,6 +49,10 @@ class Blobs:
     def find(self, key: str) -> bytes | None:
         return self._files.cat_file(key) if self._files.exists(key) else None
 
+    def delete(self, key: str) -> None:
+        if self._files.exists(key):
+            self._files.rm_file(key)
+
     def delete_folder(self, key: str) -> None:
         if self._files.exists(key):
             self._files.rm(key, recursive=True)

@@ -28,6 +28,7 @@ def vectorize_job(run: Run) -> None:
     )
     result, scene_revision = _follow(run, steps)
     _store_scene(run, result.scene)
+    run.services.blobs.delete(run.key("checkpoint.npz"))
     run.report(
         phase="done",
         stage="done",

@@ -144,7 +144,7 @@ export type Scene = {
   local: LocalPath[];
 };
 
-/** Closed chain of cubics: flat x, y of `anchor, handle, handle` a segment; the last one ends at the first anchor. */
+/** Closed chain of cubics: flat x, y of `anchor, handle, handle` a segment; the last ends at the first anchor. */
 export type ScenePath = {
   points: number[];
   fill: SolidFill | LinearFill;

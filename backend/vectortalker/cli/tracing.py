@@ -1,0 +1,90 @@
+"""What `vectorize` and `batch` share: one portrait becomes the bytes of its files, with a progress bar."""
+
+from __future__ import annotations
+
+import argparse
+import io
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from pydantic import ValidationError
+
+from vectortalker.errors import VectorTalkerError
+from vectortalker.schema import VectorizeOptions
+
+if TYPE_CHECKING:
+    from vectortalker.cli.progress import Bar
+    from vectortalker.decode import Portrait
+    from vectortalker.schema import Landmarks
+    from vectortalker.vectorize import Result
+
+NUMBERS = ("paths", "segments", "levels", "iterations", "final_iterations", "seed", "working_size")
+CHOICES = {
+    "preset": ("draft", "standard", "fine"),
+    "recipe": ("best", "paper", "diffvg"),
+    "fills": ("solid", "gradient"),
+    "opacity": ("free", "opaque"),
+}
+
+
+@dataclass(frozen=True)
+class Traced:
+    portrait: Portrait
+    landmarks: Landmarks | None
+    result: Result
+
+
+def add_tracing_arguments(parser: argparse.ArgumentParser) -> None:
+    """Those of `schema.VectorizeOptions`; what is not given is left to the preset."""
+    for name in NUMBERS:
+        parser.add_argument(_flag(name), type=int, metavar="N")
+    for name, choices in CHOICES.items():
+        parser.add_argument(_flag(name), choices=choices)
+    parser.add_argument("--no-layers", dest="layers", action="store_const", const=False, help="one flat picture")
+
+
+def tracing_options(options: argparse.Namespace) -> VectorizeOptions:
+    """Raises `bad_option`."""
+    given = {name: getattr(options, name) for name in (*NUMBERS, *CHOICES, "layers")}
+    try:
+        return VectorizeOptions.model_validate({name: value for name, value in given.items() if value is not None})
+    except ValidationError as error:
+        fault = error.errors()[0]
+        flag = _flag(str(fault["loc"][0]))
+        raise VectorTalkerError("bad_option", f"{flag} {fault['input']}: {fault['msg']}.") from error
+
+
+def trace(portrait: Portrait, options: VectorizeOptions, bar: Bar) -> Traced:
+    """Detect the largest face and vectorise."""
+    from vectortalker.landmarks import detect, to_wire
+    from vectortalker.vectorize import vectorize
+
+    bar.show("finding the face", 0)
+    faces = to_wire(detect(portrait.rgb), portrait.width, portrait.height).faces
+    landmarks = faces[0].landmarks if faces else None
+    steps = vectorize(portrait, landmarks, options)
+    while True:
+        try:
+            progress = next(steps)
+        except StopIteration as end:
+            bar.show("done", 1)
+            return Traced(portrait, landmarks, end.value)
+        bar.show(progress.stage, progress.fraction)
+
+
+def project_bytes(traced: Traced) -> bytes:
+    """The `.vtalk` file; its source is the normalised picture, in whose pixels all coordinates are."""
+    from PIL import Image
+
+    from vectortalker.project import ProjectFile, pack
+    from vectortalker.schema import Project
+
+    source = io.BytesIO()
+    Image.fromarray(traced.portrait.rgb).save(source, "PNG")
+    name = traced.portrait.name
+    project = Project(name=name, scene=traced.result.scene, landmarks=traced.landmarks, source="source.png")
+    return pack(ProjectFile(project, source.getvalue()))
+
+
+def _flag(name: str) -> str:
+    return f"--{name.replace('_', '-')}"
