@@ -1,1 +1,256 @@
 //! Border between the browser and `geometry`: flat arrays in, flat arrays and one string buffer out.
+
+use geometry::bound::Options;
+use geometry::error::RigError;
+use geometry::face::Iris;
+use geometry::opening::{N_LANDMARKS, Opening};
+use geometry::path_string::push_path;
+use geometry::point::{Point, from_flat, to_flat};
+use geometry::pose::channel::{CHANNELS, Pose};
+use geometry::rig::{RestFace, Rig};
+use geometry::scene::{Layer, SceneGeometry};
+use wasm_bindgen::prelude::*;
+
+/// Names of the articulators, in the order `Rig.vertices` takes them.
+#[wasm_bindgen(js_name = channelNames)]
+#[must_use]
+pub fn channel_names() -> Vec<String> {
+    CHANNELS.iter().map(|(name, _, _)| (*name).to_owned()).collect()
+}
+
+/// Least and greatest value of each articulator, `least, greatest, …`.
+#[wasm_bindgen(js_name = channelRanges)]
+#[must_use]
+pub fn channel_ranges() -> Vec<f64> {
+    CHANNELS.iter().flat_map(|&(_, least, greatest)| [least, greatest]).collect()
+}
+
+/// SVG path data of a closed cubic chain `x, y, …`.
+#[wasm_bindgen(js_name = pathData)]
+#[must_use]
+pub fn path_data(points: &[f64]) -> String {
+    geometry::path_string::path_string(&from_flat(points))
+}
+
+/// Landmarks and irises for five pins `x, y, …`: 136 numbers, then x, y, radius twice; empty when the pins coincide.
+#[wasm_bindgen(js_name = fitPins)]
+#[must_use]
+pub fn fit_pins(pins: &[f64]) -> Vec<f64> {
+    let Some((landmarks, irises)) = from_flat(pins).try_into().ok().and_then(|pins| geometry::fit::fit_pins(&pins))
+    else {
+        return Vec::new();
+    };
+    let irises = irises.into_iter().flat_map(|iris| [iris.centre.x, iris.centre.y, iris.radius]);
+    to_flat(&landmarks).into_iter().chain(irises).collect()
+}
+
+#[wasm_bindgen(js_name = Rig)]
+pub struct BrowserRig {
+    rig: Rig,
+}
+
+#[wasm_bindgen(js_class = Rig)]
+impl BrowserRig {
+    /// Builds a rig. `points` are all control points; `layers` are 0 back, 1 fore, 2 + part; `irises` are x, y, radius
+    /// twice or empty; `depth` has 68 numbers or none.
+    ///
+    /// # Errors
+    /// A `RigError` with the core's code and message.
+    #[wasm_bindgen(constructor)]
+    #[expect(clippy::too_many_arguments, reason = "flat arrays only cross the border")]
+    pub fn new(
+        width: f64,
+        height: f64,
+        points: &[f64],
+        segments: &[u32],
+        layers: &[u8],
+        landmarks: &[f64],
+        irises: &[f64],
+        depth: &[f64],
+        split: bool,
+        smooth: bool,
+    ) -> Result<BrowserRig, JsError> {
+        let layers: Vec<Layer> =
+            layers.iter().map(|&number| Layer::from_number(number)).collect::<Result<_, _>>().map_err(raise)?;
+        let segments: Vec<usize> = segments.iter().map(|&n| n as usize).collect();
+        let points = from_flat(points);
+        let scene = SceneGeometry { width, height, points: &points, segments: &segments, layers: &layers };
+        let rest = RestFace {
+            landmarks: landmark_points(landmarks)?,
+            irises: iris_pair(irises),
+            depth: depth.try_into().ok(),
+        };
+        let rig = Rig::build(&scene, &rest, Options { split, smooth }).map_err(raise)?;
+        Ok(Self { rig })
+    }
+
+    /// Vertices at rest, `x, y, …`; the first 68 are the landmarks, then two irises.
+    #[wasm_bindgen(getter, js_name = restVertices)]
+    #[must_use]
+    pub fn rest_vertices(&self) -> Vec<f64> {
+        to_flat(self.rig.rest_vertices())
+    }
+
+    /// Vertex indices, three a triangle.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn triangles(&self) -> Vec<u32> {
+        self.rig.mesh().triangles.iter().flat_map(|triangle| triangle.vertices.map(|vertex| vertex as u32)).collect()
+    }
+
+    #[wasm_bindgen(getter, js_name = pathCount)]
+    #[must_use]
+    pub fn path_count(&self) -> usize {
+        self.rig.paths().n_paths()
+    }
+
+    /// Control points of one path at rest, split as in every frame; empty when there is no such path.
+    #[wasm_bindgen(js_name = restPath)]
+    #[must_use]
+    pub fn rest_path(&self, path: usize) -> Vec<f64> {
+        to_flat(self.rig.paths().rest_path(path))
+    }
+
+    /// Vertices of a pose; empty `offsets` means none.
+    ///
+    /// # Errors
+    /// A `RigError` for lengths that are wrong and numbers that are not finite.
+    pub fn vertices(&self, articulators: &[f64], offsets: &[f64]) -> Result<PosedVertices, JsError> {
+        let pose = Pose::from_flat(articulators, offsets).map_err(raise)?;
+        let (vertices, limit) = self.rig.vertices(&pose);
+        Ok(PosedVertices {
+            positions: to_flat(&vertices),
+            scale: limit.scale,
+            triangles: limit.triangles.into_iter().map(|triangle| triangle as u32).collect(),
+        })
+    }
+
+    /// Paths that differ between two lists of vertices, with control points and path strings.
+    ///
+    /// # Errors
+    /// A `RigError` when a list does not fit the rig.
+    pub fn frame(&self, vertices: &[f64], since: &[f64]) -> Result<BrowserFrame, JsError> {
+        let frame = self.rig.frame(&from_flat(vertices), &from_flat(since)).map_err(raise)?;
+        Ok(BrowserFrame { frame })
+    }
+
+    /// Outline of opening 0 (left eye), 1 (right eye) or 2 (mouth) for posed vertices; empty when there is none.
+    #[must_use]
+    pub fn opening(&self, opening: usize, vertices: &[f64]) -> Vec<f64> {
+        let vertices = from_flat(vertices);
+        match Opening::ALL.get(opening) {
+            Some(opening) if vertices.len() >= N_LANDMARKS => to_flat(&opening.outline(&vertices)),
+            _ => Vec::new(),
+        }
+    }
+}
+
+/// Vertices of a pose and how far it was held back.
+#[wasm_bindgen]
+pub struct PosedVertices {
+    positions: Vec<f64>,
+    scale: f64,
+    triangles: Vec<u32>,
+}
+
+#[wasm_bindgen]
+impl PosedVertices {
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn positions(&self) -> Vec<f64> {
+        self.positions.clone()
+    }
+
+    /// Kept share of the motion, 1 when nothing limits it.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// Triangles that would turn over first.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn triangles(&self) -> Vec<u32> {
+        self.triangles.clone()
+    }
+}
+
+/// The changed paths of a frame.
+#[wasm_bindgen(js_name = Frame)]
+pub struct BrowserFrame {
+    frame: geometry::bound::Frame,
+}
+
+#[wasm_bindgen(js_class = Frame)]
+impl BrowserFrame {
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn changed(&self) -> Vec<u32> {
+        self.frame.changed.iter().map(|&path| path as u32).collect()
+    }
+
+    /// `starts[k]..starts[k + 1]` are the points of path `changed[k]`.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn starts(&self) -> Vec<u32> {
+        self.frame.starts.iter().map(|&start| start as u32).collect()
+    }
+
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn points(&self) -> Vec<f64> {
+        to_flat(&self.frame.points)
+    }
+
+    /// Path data of all changed paths, one string.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn strings(&self) -> PathStrings {
+        let mut text = Vec::with_capacity(16 * self.frame.points.len());
+        let mut ends = Vec::with_capacity(self.frame.changed.len());
+        for range in self.frame.starts.windows(2) {
+            push_path(&self.frame.points[range[0]..range[1]], &mut text);
+            ends.push(text.len() as u32);
+        }
+        PathStrings { text: String::from_utf8(text).unwrap_or_default(), ends }
+    }
+}
+
+/// Path data of several paths in one string; path k ends before character `ends[k]`.
+#[wasm_bindgen]
+pub struct PathStrings {
+    text: String,
+    ends: Vec<u32>,
+}
+
+#[wasm_bindgen]
+impl PathStrings {
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn text(&self) -> String {
+        self.text.clone()
+    }
+
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn ends(&self) -> Vec<u32> {
+        self.ends.clone()
+    }
+}
+
+fn raise(error: RigError) -> JsError {
+    JsError::new(&format!("{}: {error}", error.code()))
+}
+
+fn landmark_points(flat: &[f64]) -> Result<[Point; N_LANDMARKS], JsError> {
+    from_flat(flat)
+        .try_into()
+        .map_err(|points: Vec<Point>| JsError::new(&format!("{} landmarks given, {N_LANDMARKS} wanted", points.len())))
+}
+
+fn iris_pair(flat: &[f64]) -> Option<[Iris; 2]> {
+    let numbers: [f64; 6] = flat.try_into().ok()?;
+    let [x0, y0, r0, x1, y1, r1] = numbers;
+    Some([Iris { centre: Point::new(x0, y0), radius: r0 }, Iris { centre: Point::new(x1, y1), radius: r1 }])
+}

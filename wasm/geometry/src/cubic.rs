@@ -38,12 +38,7 @@ pub fn split_at(c: &Cubic, ts: &[f64]) -> Vec<Cubic> {
 #[must_use]
 pub fn segment(points: &[Point], j: usize) -> Cubic {
     let first = 3 * j;
-    [
-        points[first],
-        points[first + 1],
-        points[first + 2],
-        points[(first + 3) % points.len()],
-    ]
+    [points[first], points[first + 1], points[first + 2], points[(first + 3) % points.len()]]
 }
 
 /// Area enclosed by a closed chain (Green's theorem, exact for cubics), positive when it runs clockwise on screen.
@@ -53,10 +48,7 @@ pub fn signed_area(points: &[Point]) -> f64 {
     (0..n_segments)
         .map(|j| {
             let [a, b, c, d] = segment(points, j);
-            (6.0 * (a.cross(b) + c.cross(d))
-                + 3.0 * (a.cross(c) + b.cross(c) + b.cross(d))
-                + a.cross(d))
-                / 20.0
+            (6.0 * (a.cross(b) + c.cross(d)) + 3.0 * (a.cross(c) + b.cross(c) + b.cross(d)) + a.cross(d)) / 20.0
         })
         .sum()
 }
@@ -65,12 +57,7 @@ pub fn signed_area(points: &[Point]) -> f64 {
 mod tests {
     use super::*;
 
-    const ARC: Cubic = [
-        Point::new(0.0, 0.0),
-        Point::new(1.0, 4.0),
-        Point::new(5.0, -3.0),
-        Point::new(6.0, 1.0),
-    ];
+    const ARC: Cubic = [Point::new(0.0, 0.0), Point::new(1.0, 4.0), Point::new(5.0, -3.0), Point::new(6.0, 1.0)];
 
     #[test]
     fn pieces_reevaluate_to_the_source() {
@@ -87,8 +74,7 @@ mod tests {
 
     #[test]
     fn square_of_straight_segments_has_its_area() {
-        let corners =
-            [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(|(x, y)| Point::new(x, y));
+        let corners = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(|(x, y)| Point::new(x, y));
         let chain: Vec<Point> = (0..4)
             .flat_map(|i| {
                 let (a, b) = (corners[i], corners[(i + 1) % 4]);

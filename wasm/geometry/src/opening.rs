@@ -65,12 +65,7 @@ impl Opening {
     /// Landmarks once around: along the upper contour, back along the lower one.
     #[must_use]
     pub fn ring(self) -> Vec<usize> {
-        let back = self
-            .lower()
-            .iter()
-            .rev()
-            .skip(1)
-            .take(self.lower().len() - 2);
+        let back = self.lower().iter().rev().skip(1).take(self.lower().len() - 2);
         self.upper().iter().chain(back).copied().collect()
     }
 
@@ -85,10 +80,7 @@ impl Opening {
             Self::LeftEye | Self::RightEye => {
                 let ends = (self.upper()[0], self.upper()[3]);
                 let width = landmarks[ends.0].distance(landmarks[ends.1]);
-                let gap: f64 = self
-                    .pairs()
-                    .map(|(u, l)| landmarks[u].distance(landmarks[l]))
-                    .sum();
+                let gap: f64 = self.pairs().map(|(u, l)| landmarks[u].distance(landmarks[l])).sum();
                 gap / 2.0 < CLOSED_EYE * width
             }
         }
@@ -107,11 +99,7 @@ impl Opening {
                 let next = (i + 1) % n;
                 let (leaving, _) = tangents[i];
                 let (_, arriving) = tangents[next];
-                [
-                    anchors[i],
-                    anchors[i] + leaving * (1.0 / 3.0),
-                    anchors[next] - arriving * (1.0 / 3.0),
-                ]
+                [anchors[i], anchors[i] + leaving * (1.0 / 3.0), anchors[next] - arriving * (1.0 / 3.0)]
             })
             .collect()
     }
@@ -176,20 +164,12 @@ mod tests {
     use crate::cubic::signed_area;
 
     fn round_face() -> [Point; N_LANDMARKS] {
-        std::array::from_fn(|i| {
-            Point::new(
-                (i as f64).cos() * 50.0 + i as f64,
-                (i as f64 * 1.7).sin() * 40.0,
-            )
-        })
+        std::array::from_fn(|i| Point::new((i as f64).cos() * 50.0 + i as f64, (i as f64 * 1.7).sin() * 40.0))
     }
 
     #[test]
     fn outline_is_linear_in_the_landmarks() {
-        let (a, b) = (
-            round_face(),
-            round_face().map(|p| Point::new(p.y, p.x * 2.0)),
-        );
+        let (a, b) = (round_face(), round_face().map(|p| Point::new(p.y, p.x * 2.0)));
         let middle: [Point; N_LANDMARKS] = std::array::from_fn(|i| a[i].lerp(b[i], 0.3));
         for opening in Opening::ALL {
             let (from, to) = (opening.outline(&a), opening.outline(&b));

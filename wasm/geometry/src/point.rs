@@ -46,10 +46,7 @@ impl Point {
     /// Product of complex numbers: turns `self` by the angle of `factor` and scales it by its norm.
     #[must_use]
     pub fn complex_mul(self, factor: Self) -> Self {
-        Self::new(
-            self.x * factor.x - self.y * factor.y,
-            self.x * factor.y + self.y * factor.x,
-        )
+        Self::new(self.x * factor.x - self.y * factor.y, self.x * factor.y + self.y * factor.x)
     }
 
     /// Quotient of complex numbers; `divisor` must not be zero.
@@ -102,9 +99,7 @@ impl Neg for Point {
 /// Points of a flat `x, y, x, y, …` array; an odd last number is left out.
 #[must_use]
 pub fn from_flat(flat: &[f64]) -> Vec<Point> {
-    flat.chunks_exact(2)
-        .map(|pair| Point::new(pair[0], pair[1]))
-        .collect()
+    flat.chunks_exact(2).map(|pair| Point::new(pair[0], pair[1])).collect()
 }
 
 /// Flat `x, y, x, y, …` array of points.

@@ -1,0 +1,163 @@
+//! Paths bound to a mesh: their control points at rest, and where those go when vertices move.
+
+use crate::binding::{Bindings, Influence};
+use crate::joints::{repair, smooth_joints};
+use crate::local::influences;
+use crate::mesh::Mesh;
+use crate::mesh::grid::{Grid, bounds};
+use crate::point::Point;
+use crate::scene::{Layer, SceneGeometry};
+use crate::split::{Anchor, SplitPath, keep_path, split_path};
+
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Split curves at triangle edges; without it each control point follows its own triangle (the paper's ablation).
+    pub split: bool,
+    /// Repair kinks where smooth curves pass from triangle to triangle.
+    pub smooth: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { split: true, smooth: true }
+    }
+}
+
+/// All paths of a scene, bound once; only coordinates change afterwards.
+#[derive(Clone, Debug, Default)]
+pub struct BoundPaths {
+    paths: Vec<BoundPath>,
+    /// Control points of all paths at rest, one path after another.
+    points: Vec<Point>,
+    bindings: Bindings,
+}
+
+#[derive(Clone, Debug)]
+struct BoundPath {
+    start: usize,
+    end: usize,
+    /// Vertices that move it, ascending.
+    vertices: Vec<usize>,
+    /// Joints whose kinks are repaired.
+    smooth: Vec<usize>,
+}
+
+/// Control points of the paths that moved.
+#[derive(Clone, Debug, Default)]
+pub struct Frame {
+    /// Path indices, ascending.
+    pub changed: Vec<usize>,
+    /// `starts[k]..starts[k + 1]` are the points of path `changed[k]`.
+    pub starts: Vec<usize>,
+    pub points: Vec<Point>,
+}
+
+impl BoundPaths {
+    /// Binds the fore to the mesh and each local path to its bones; `moving` marks the vertices that can ever move.
+    #[must_use]
+    pub fn bind(scene: &SceneGeometry, mesh: &Mesh, moving: &[Point], options: Options, mouth_closed: bool) -> Self {
+        let (low, high) = bounds(moving);
+        let grid = Grid::new(mesh, low, high);
+        let mut bound = Self::default();
+        let mut from = 0;
+        for (&n_segments, &layer) in scene.segments.iter().zip(scene.layers) {
+            let source = &scene.points[from..from + 3 * n_segments];
+            from += source.len();
+            match layer {
+                Layer::Back => bound.push(source, Vec::new(), |_| Vec::new()),
+                Layer::Local(part) => {
+                    bound.push(source, Vec::new(), |i| influences(part, source[i], &mesh.rest, mouth_closed));
+                }
+                Layer::Fore if options.split => {
+                    let path = split_path(source, mesh, &grid);
+                    let smooth = if options.smooth { smooth_joints(&path, mesh) } else { Vec::new() };
+                    bound.push(&path.points, smooth, |i| piece_influences(mesh, &path, i));
+                }
+                Layer::Fore => {
+                    let path = keep_path(source, mesh, &grid);
+                    bound.push(&path.points, Vec::new(), |i| {
+                        triangle_influences(mesh, grid.locate(mesh, source[i]), source[i])
+                    });
+                }
+            }
+        }
+        bound
+    }
+
+    fn push(&mut self, points: &[Point], smooth: Vec<usize>, influences: impl Fn(usize) -> Vec<Influence>) {
+        let start = self.points.len();
+        let mut vertices = Vec::new();
+        for i in 0..points.len() {
+            self.bindings.push(&influences(i));
+            vertices.extend(self.bindings.of(start + i).iter().map(|influence| influence.vertex));
+        }
+        vertices.sort_unstable();
+        vertices.dedup();
+        self.points.extend_from_slice(points);
+        self.paths.push(BoundPath { start, end: self.points.len(), vertices, smooth });
+    }
+
+    #[must_use]
+    pub fn n_paths(&self) -> usize {
+        self.paths.len()
+    }
+
+    /// Control points of one path at rest, split as all its frames are; empty when there is no such path.
+    #[must_use]
+    pub fn rest_path(&self, path: usize) -> &[Point] {
+        self.paths.get(path).map_or(&[], |path| &self.points[path.start..path.end])
+    }
+
+    /// Vertices that move a path, ascending.
+    #[must_use]
+    pub fn vertices_of(&self, path: usize) -> &[usize] {
+        self.paths.get(path).map_or(&[], |path| &path.vertices)
+    }
+
+    /// Control points of the paths with a vertex that `moved`, for vertices displaced from rest by `displacements`.
+    #[must_use]
+    pub fn frame(&self, displacements: &[Point], moved: &[bool]) -> Frame {
+        let mut frame = Frame { starts: vec![0], ..Frame::default() };
+        for (index, path) in self.paths.iter().enumerate() {
+            if !path.vertices.iter().any(|&vertex| moved[vertex]) {
+                continue;
+            }
+            frame.points.extend(self.warp(path, displacements));
+            frame.changed.push(index);
+            frame.starts.push(frame.points.len());
+        }
+        frame
+    }
+
+    /// Control points of one path for vertices displaced from rest by `displacements`; empty when there is no such path.
+    #[must_use]
+    pub fn warped_path(&self, path: usize, displacements: &[Point]) -> Vec<Point> {
+        self.paths.get(path).map_or_else(Vec::new, |path| self.warp(path, displacements))
+    }
+
+    fn warp(&self, path: &BoundPath, displacements: &[Point]) -> Vec<Point> {
+        let warped = (path.start..path.end).map(|i| self.points[i] + self.bindings.displacement(i, displacements));
+        let mut points: Vec<Point> = warped.collect();
+        if path.vertices.iter().any(|&vertex| displacements[vertex] != Point::ZERO) {
+            repair(&mut points, &path.smooth);
+        }
+        points
+    }
+}
+
+/// Influences on control point `i` of a split path: crossings by their edge, everything else by its piece's triangle.
+fn piece_influences(mesh: &Mesh, path: &SplitPath, i: usize) -> Vec<Influence> {
+    let piece = i / 3;
+    match path.anchors[piece] {
+        Anchor::Edge { edge, s } if i.is_multiple_of(3) => {
+            let [a, b] = mesh.edges[edge];
+            vec![Influence::real(a, 1.0 - s), Influence::real(b, s)]
+        }
+        _ => triangle_influences(mesh, path.triangles[piece], path.points[i]),
+    }
+}
+
+fn triangle_influences(mesh: &Mesh, triangle: usize, p: Point) -> Vec<Influence> {
+    let weights = mesh.barycentric(triangle, p);
+    mesh.triangles[triangle].vertices.into_iter().zip(weights).map(|(vertex, w)| Influence::real(vertex, w)).collect()
+}

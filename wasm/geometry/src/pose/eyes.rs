@@ -1,0 +1,71 @@
+//! Moves lids, brows and irises.
+
+use super::channel::{Channel, Pose};
+use crate::face::{Face, Iris, Landmarks};
+use crate::opening::Opening;
+use crate::point::Point;
+
+/// Where the lids meet: this far from the upper to the lower lid, so the lower one rises by the rest.
+pub const LID_MEETING: f64 = 0.9;
+/// Part of the eye's height by which the upper lid follows the gaze down, and up.
+const LID_FOLLOWS_DOWN: f64 = 0.2;
+const LID_FOLLOWS_UP: f64 = 0.1;
+/// Part of the eye's height by which a smile lifts the lower lid.
+const SMILE_LIFTS_LID: f64 = 0.08;
+
+// Brow motion in outer-eye distances.
+const BROW_UP: f64 = 0.11;
+const BROW_DOWN: f64 = 0.05;
+const BROW_IN: f64 = 0.02;
+const BROW_DIP: f64 = 0.025; // with a full blink
+
+/// Adds lids and brows to `points`, which are the resting landmarks or a pose of them.
+pub fn articulate(points: &mut Landmarks, rest: &Landmarks, face: &Face, pose: &Pose) {
+    let eyes = [
+        (Opening::LeftEye, Channel::BlinkLeft, Channel::BrowLeft, 17..22, 1.0),
+        (Opening::RightEye, Channel::BlinkRight, Channel::BrowRight, 22..27, -1.0),
+    ];
+    for (opening, blink, brow, brow_points, inwards) in eyes {
+        let (blink, brow) = (pose.value(blink), pose.value(brow));
+        move_lids(points, rest, opening, blink, pose);
+        let rise = brow * if brow > 0.0 { BROW_UP } else { BROW_DOWN } - BROW_DIP * blink.max(0.0);
+        let inward = inwards * BROW_IN * (-brow).max(0.0);
+        let shift = face.vector(inward * face.eye_distance, -rise * face.eye_distance);
+        for point in &mut points[brow_points] {
+            *point += shift;
+        }
+    }
+}
+
+fn move_lids(points: &mut Landmarks, rest: &Landmarks, opening: Opening, blink: f64, pose: &Pose) {
+    let gaze = pose.value(Channel::GazeY);
+    let follow = gaze * if gaze > 0.0 { LID_FOLLOWS_DOWN } else { LID_FOLLOWS_UP };
+    let lift = SMILE_LIFTS_LID * pose.value(Channel::Smile).max(0.0);
+    for (upper, lower) in opening.pairs() {
+        let open = rest[lower] - rest[upper];
+        let (upper_now, lower_now) = (open * follow, open * -lift);
+        let closed = open * LID_MEETING;
+        let toward = blink.max(0.0);
+        points[upper] += upper_now.lerp(closed, toward) + closed * blink.min(0.0);
+        points[lower] += lower_now.lerp(closed - open, toward) + (closed - open) * blink.min(0.0);
+        if blink == 1.0 {
+            // The same number on both lids, so that the opening's area is exactly zero.
+            points[lower] = points[upper];
+        }
+    }
+}
+
+/// Displacement of each iris by the gaze: as far as the iris stays mostly inside its eye.
+#[must_use]
+pub fn gaze(rest: &Landmarks, irises: &[Iris; 2], face: &Face, pose: &Pose) -> [Point; 2] {
+    let mut shifts = [Point::ZERO; 2];
+    for (shift, (iris, first)) in shifts.iter_mut().zip(irises.iter().zip([36, 42])) {
+        let width = rest[first].distance(rest[first + 3]);
+        let middle_gap = |a: usize, b: usize| rest[first + a].distance(rest[first + b]);
+        let height = middle_gap(1, 5).midpoint(middle_gap(2, 4));
+        let across = (0.5 * width - 0.9 * iris.radius).clamp(0.1 * width, 0.26 * width);
+        let along = (0.3 * height).clamp(0.05 * width, 0.2 * width);
+        *shift = face.vector(across * pose.value(Channel::GazeX), along * pose.value(Channel::GazeY));
+    }
+    shifts
+}

@@ -1,0 +1,172 @@
+//! Binds a scene to a face: build once, then vertices from a pose and control points from vertices.
+
+use crate::bound::{BoundPaths, Frame, Options};
+use crate::error::RigError;
+use crate::face::{Face, Iris, Landmarks, aligned_depth, irises_or_eye_centres};
+use crate::mesh::vertices::{IRIS, TONGUE};
+use crate::mesh::{Mesh, VertexSet};
+use crate::opening::{N_LANDMARKS, Opening, snap_closed};
+use crate::point::Point;
+use crate::pose::clamp::{Limit, clamp_motion};
+use crate::pose::{Pose, eyes, head, mouth};
+use crate::scene::SceneGeometry;
+
+/// A resting face; depth is in outer-eye distances, towards the viewer.
+#[derive(Clone, Debug)]
+pub struct RestFace {
+    pub landmarks: Landmarks,
+    pub irises: Option<[Iris; 2]>,
+    pub depth: Option<[f64; N_LANDMARKS]>,
+}
+
+/// A rigged scene. Its topology (triangles, split points, bindings) never changes.
+#[derive(Clone, Debug)]
+pub struct Rig {
+    face: Face,
+    landmarks: Landmarks,
+    irises: [Iris; 2],
+    set: VertexSet,
+    mesh: Mesh,
+    paths: BoundPaths,
+}
+
+impl Rig {
+    /// # Errors
+    /// `RigError::Landmarks` for a face without extent, `RigError::Scene` for arrays that do not fit together.
+    pub fn build(scene: &SceneGeometry, rest: &RestFace, options: Options) -> Result<Self, RigError> {
+        scene.check()?;
+        let face = Face::measure(&rest.landmarks)?;
+        let landmarks = snap_closed(&rest.landmarks);
+        let irises = irises_or_eye_centres(&landmarks, rest.irises);
+        let depth = aligned_depth(rest.depth.as_ref());
+        let set = VertexSet::place(&face, &landmarks, &irises, &depth, &scene.extent());
+        let closed: Vec<Opening> = Opening::ALL.into_iter().filter(|opening| opening.is_closed(&landmarks)).collect();
+        let mesh = Mesh::build(set.rest.clone(), set.triangulated(), &closed)?;
+        let paths = BoundPaths::bind(scene, &mesh, &set.moving(), options, closed.contains(&Opening::Mouth));
+        Ok(Self { face, landmarks, irises, set, mesh, paths })
+    }
+
+    #[must_use]
+    pub fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+
+    #[must_use]
+    pub fn face(&self) -> &Face {
+        &self.face
+    }
+
+    #[must_use]
+    pub fn paths(&self) -> &BoundPaths {
+        &self.paths
+    }
+
+    #[must_use]
+    pub fn rest_vertices(&self) -> &[Point] {
+        &self.set.rest
+    }
+
+    /// Vertex positions of a pose, and how far it had to be held back.
+    ///
+    /// Motion is applied in stages (mouth, eyes, offsets, head), each kept from turning a triangle over, so that a
+    /// drag that goes too far holds back itself and nothing else.
+    #[must_use]
+    pub fn vertices(&self, pose: &Pose) -> (Vec<Point>, Limit) {
+        let (face, rest) = (&self.face, &self.landmarks);
+        let mut anchors = Anchors::default();
+        let mut stage = Stage { points: *rest, positions: self.set.rest.clone(), limit: Limit::NONE };
+
+        mouth::articulate(&mut stage.points, rest, face, pose);
+        keep_contact(&mut stage.points, rest, face);
+        anchors.tongue = mouth::tongue(face, pose);
+        stage.advance(&self.mesh, self.follow(&stage.points, &anchors));
+
+        eyes::articulate(&mut stage.points, rest, face, pose);
+        anchors.irises = eyes::gaze(rest, &self.irises, face, pose);
+        stage.advance(&self.mesh, self.follow(&stage.points, &anchors));
+
+        if let Some(offsets) = &pose.offsets {
+            for (point, &offset) in stage.points.iter_mut().zip(offsets.iter()) {
+                *point += offset * face.eye_distance;
+            }
+            keep_contact(&mut stage.points, rest, face);
+            stage.advance(&self.mesh, self.follow(&stage.points, &anchors));
+        }
+
+        let turned = head::turn(&stage.positions, &self.set, face, pose);
+        stage.advance(&self.mesh, turned);
+        (stage.positions, stage.limit)
+    }
+
+    /// All vertices for expressed landmarks: followers go with theirs, irises and tongue by their own displacement too.
+    fn follow(&self, points: &Landmarks, anchors: &Anchors) -> Vec<Point> {
+        let displaced = |landmark: usize| points[landmark] - self.landmarks[landmark];
+        let mut positions: Vec<Point> = self
+            .set
+            .rest
+            .iter()
+            .zip(&self.set.follows)
+            .map(|(&rest, follows)| follows.iter().fold(rest, |sum, &(landmark, w)| sum + displaced(landmark) * w))
+            .collect();
+        positions[..N_LANDMARKS].copy_from_slice(points);
+        positions[IRIS] += anchors.irises[0];
+        positions[IRIS + 1] += anchors.irises[1];
+        positions[TONGUE] += anchors.tongue;
+        positions
+    }
+
+    /// Control points of the paths whose vertices differ between `since` and `vertices`.
+    ///
+    /// # Errors
+    /// `RigError::Pose` when a list has not one position a vertex, or a position is not finite.
+    pub fn frame(&self, vertices: &[Point], since: &[Point]) -> Result<Frame, RigError> {
+        let n = self.set.rest.len();
+        if vertices.len() != n || since.len() != n {
+            let (given, before) = (vertices.len(), since.len());
+            return Err(RigError::Pose(format!("{given} and {before} vertices given, the rig has {n}")));
+        }
+        if let Some(vertex) = vertices.iter().position(|position| !position.is_finite()) {
+            return Err(RigError::Pose(format!("vertex {vertex} is not a finite point")));
+        }
+        let displacements: Vec<Point> = vertices.iter().zip(&self.set.rest).map(|(&now, &rest)| now - rest).collect();
+        let moved: Vec<bool> = vertices.iter().zip(since).map(|(now, before)| now != before).collect();
+        Ok(self.paths.frame(&displacements, &moved))
+    }
+
+    /// Outlines of the three openings for posed vertices.
+    #[must_use]
+    pub fn openings(&self, vertices: &[Point]) -> [Vec<Point>; 3] {
+        Opening::ALL.map(|opening| opening.outline(vertices))
+    }
+}
+
+/// Displacements of vertices that are not expressed by landmarks.
+#[derive(Default)]
+struct Anchors {
+    irises: [Point; 2],
+    tongue: Point,
+}
+
+/// A pose on its way from rest: what the landmarks ask for, and where the vertices may be.
+struct Stage {
+    points: Landmarks,
+    positions: Vec<Point>,
+    limit: Limit,
+}
+
+impl Stage {
+    fn advance(&mut self, mesh: &Mesh, target: Vec<Point>) {
+        let (positions, limit) = clamp_motion(mesh, &self.positions, &target);
+        self.points.copy_from_slice(&positions[..N_LANDMARKS]);
+        self.positions = positions;
+        self.limit = std::mem::replace(&mut self.limit, Limit::NONE).and(limit);
+    }
+}
+
+/// Lips and lids meet instead of passing through each other.
+fn keep_contact(points: &mut Landmarks, rest: &Landmarks, face: &Face) {
+    for opening in Opening::ALL {
+        let meeting = if opening == Opening::Mouth { mouth::CONTACT } else { eyes::LID_MEETING };
+        mouth::keep_contact(points, rest, face, opening, meeting);
+    }
+}
