@@ -1,0 +1,130 @@
+"""`python -m vectortalker.bench`: prints the tables and writes them, their rows and contact sheets to a folder."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import platform
+import sys
+from collections.abc import Iterable
+from dataclasses import asdict
+from pathlib import Path
+
+from vectortalker.bench.lpips import Lpips, load_lpips
+from vectortalker.bench.measure import VTRACER_SETTINGS, Run, run_recipe, run_vtracer
+from vectortalker.bench.portraits import Sitter, portrait_files, portrait_folder, sitters
+from vectortalker.bench.sheets import contact_sheet
+from vectortalker.bench.tables import means, side_by_side
+from vectortalker.schema import VectorizeOptions
+
+TABLES: dict[str, tuple[str, dict[str, VectorizeOptions]]] = {
+    "recipes": (
+        "Recipes at 500 paths × 8 cubics, 512 px",
+        {
+            "diffvg": VectorizeOptions(recipe="diffvg"),
+            "paper": VectorizeOptions(recipe="paper"),
+            "best": VectorizeOptions(recipe="best"),
+            "best, 350 paths": VectorizeOptions(recipe="best", paths=350),
+            "best, draft": VectorizeOptions(recipe="best", preset="draft"),
+        },
+    ),
+    "layers": (
+        "Three layers and one",
+        {"best": VectorizeOptions(), "best, no layers": VectorizeOptions(layers=False)},
+    ),
+    "fills": (
+        "Fills and opacity",
+        {
+            "gradient, free": VectorizeOptions(),
+            "solid, free": VectorizeOptions(fills="solid"),
+            "gradient, opaque": VectorizeOptions(opacity="opaque"),
+            "solid, opaque": VectorizeOptions(fills="solid", opacity="opaque"),
+        },
+    ),
+    "paths": (
+        "Number of paths",
+        {f"best, {n}": VectorizeOptions(paths=n) for n in (100, 250, 500, 750, 1000)},
+    ),
+    "levels": (
+        "Number of smoothing levels",
+        {f"paper, {n} levels": VectorizeOptions(recipe="paper", levels=n) for n in (1, 2, 3, 4, 5)},
+    ),
+    "scaling": (
+        "Time against paths and pixels",
+        {
+            **{
+                f"{n} paths": VectorizeOptions(paths=n, iterations=20, final_iterations=60)
+                for n in (100, 500, 1000, 4000)
+            },
+            **{
+                f"{side} px": VectorizeOptions(working_size=side, iterations=20, final_iterations=60)
+                for side in (256, 512, 1024, 2048)
+            },
+        },
+    ),
+}
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the chosen tables; returns the exit code."""
+    options = _parser().parse_args(arguments)
+    files = portrait_files(options.portraits or portrait_folder(), options.quick, options.only)
+    if not files:
+        print(f"No portraits in {options.portraits or portrait_folder()}.", file=sys.stderr)
+        return 2
+    people, lpips = list(sitters(files)), load_lpips()
+    options.out.mkdir(parents=True, exist_ok=True)
+    report = [_conditions(people, lpips)]
+    print(report[0])
+    for name in options.tables.split(","):
+        title, ways = TABLES[name]
+        lines = [list(_runs(sitter, ways, lpips, tracers=name == "recipes")) for sitter in people]
+        rows = [run.row for line in lines for run in line]
+        report.append(means(title, rows))
+        print(report[-1], flush=True)
+        report.append(side_by_side(f"{title}: PSNR of every portrait", rows))
+        (options.out / f"{name}.json").write_text(json.dumps([_plain(run) for line in lines for run in line], indent=1))
+        contact_sheet(lines).save(options.out / f"{name}.png")
+    (options.out / "report.md").write_text("\n".join(report), encoding="utf-8")
+    return 0
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="vectortalker bench", description="Print the benchmark tables.")
+    parser.add_argument("--tables", default="recipes", help=f"comma-separated: {', '.join(TABLES)} (default: recipes)")
+    parser.add_argument("--quick", action="store_true", help="six portraits instead of all")
+    parser.add_argument("--only", metavar="NAMES", help="portraits whose file names contain one of these")
+    parser.add_argument("--portraits", type=Path, metavar="DIR", help="another folder of pictures")
+    parser.add_argument("--out", type=Path, default=Path("bench-out"), metavar="DIR", help="where the results go")
+    return parser
+
+
+def _runs(sitter: Sitter, ways: dict[str, VectorizeOptions], lpips: Lpips | None, tracers: bool) -> Iterable[Run]:
+    for way, options in ways.items():
+        yield _told(run_recipe(way, sitter, options, lpips))
+    for way in VTRACER_SETTINGS if tracers else ():
+        yield _told(run_vtracer(way, sitter, 512, lpips))
+
+
+def _told(run: Run) -> Run:
+    row = run.row
+    print(
+        f"{row.portrait}  {row.way}  {row.metrics.psnr:.2f} dB  {row.metrics.seconds:.1f} s",
+        file=sys.stderr,
+        flush=True,
+    )
+    return run
+
+
+def _conditions(people: list[Sitter], lpips: Lpips | None) -> str:
+    names = ", ".join(sitter.portrait.name for sitter in people)
+    distance = "LPIPS v0.1, AlexNet" if lpips else "LPIPS not measured (its weights are absent)"
+    return f"{len(people)} portraits ({names}); {distance}; Python {platform.python_version()}, {platform.machine()}.\n"
+
+
+def _plain(run: Run) -> dict:
+    return {**asdict(run.row), "metrics": run.row.metrics.model_dump()}
+
+
+if __name__ == "__main__":
+    sys.exit(main())
