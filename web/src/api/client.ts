@@ -1,0 +1,91 @@
+/** Asks the server; every failure becomes a `RequestError` with the server's code and sentence. */
+import type { Faces, JobRequest, JobState, Landmarks, Portrait, Scene, VectorizeOptions } from './schema';
+
+/** The server's own codes, and `offline` when it does not answer at all. */
+export class RequestError extends Error {
+  readonly code: string;
+
+  constructor(code: string, message: string) {
+    super(message);
+    this.name = 'RequestError';
+    this.code = code;
+  }
+}
+
+/** Options of a job that nobody has changed; null: what the preset says. */
+export const STANDARD_OPTIONS: VectorizeOptions = {
+  preset: 'standard',
+  recipe: 'best',
+  segments: 8,
+  seed: 0,
+  opacity: 'free',
+  layers: true,
+};
+
+export function postPortrait(picture: Blob, name: string, signal?: AbortSignal): Promise<Portrait> {
+  const body = new FormData();
+  body.append('file', picture, name);
+  return request('api/portraits', { method: 'POST', body, signal });
+}
+
+export function portraitImageUrl(portraitId: string): string {
+  return `api/portraits/${encodeURIComponent(portraitId)}/image`;
+}
+
+export async function getPortraitImage(portraitId: string, signal?: AbortSignal): Promise<Blob> {
+  const response = await answered(portraitImageUrl(portraitId), { signal });
+  return response.blob();
+}
+
+export function getFaces(portraitId: string, signal?: AbortSignal): Promise<Faces> {
+  return request(`api/portraits/${encodeURIComponent(portraitId)}/faces`, { signal });
+}
+
+export function postJob(portraitId: string, landmarks: Landmarks | null, options: VectorizeOptions): Promise<JobState> {
+  const body: JobRequest = { portrait_id: portraitId, landmarks, options };
+  return request('api/jobs', { method: 'POST', body: JSON.stringify(body), headers: { 'content-type': 'application/json' } });
+}
+
+export function getScene(jobId: string): Promise<Scene> {
+  return request(`${jobUrl(jobId)}/scene`, {});
+}
+
+export function jobEventsUrl(jobId: string): string {
+  return `${jobUrl(jobId)}/events`;
+}
+
+/** Keeps what is there: the job ends after its current step with the scene it has. */
+export async function finishJob(jobId: string): Promise<void> {
+  await answered(`${jobUrl(jobId)}/finish`, { method: 'POST' });
+}
+
+export async function cancelJob(jobId: string): Promise<void> {
+  await answered(jobUrl(jobId), { method: 'DELETE' });
+}
+
+const jobUrl = (jobId: string) => `api/jobs/${encodeURIComponent(jobId)}`;
+
+async function request<T>(url: string, init: RequestInit): Promise<T> {
+  const response = await answered(url, init);
+  return (await response.json()) as T;
+}
+
+async function answered(url: string, init: RequestInit): Promise<Response> {
+  const response = await fetch(url, init).catch((reason: unknown) => {
+    if (reason instanceof DOMException && reason.name === 'AbortError') throw reason;
+    throw new RequestError('offline', 'The server does not answer. What is open here stays and can be edited, played and exported.');
+  });
+  if (!response.ok) throw await refusal(response);
+  return response;
+}
+
+async function refusal(response: Response): Promise<RequestError> {
+  const body: unknown = await response.json().catch(() => null);
+  if (isApiError(body)) return new RequestError(body.code, body.message);
+  const offline = response.status === 502 || response.status === 503 || response.status === 504;
+  return new RequestError(offline ? 'offline' : 'internal', `The server answered with status ${response.status}.`);
+}
+
+function isApiError(body: unknown): body is { code: string; message: string } {
+  return typeof body === 'object' && body !== null && 'code' in body && 'message' in body && typeof body.message === 'string';
+}

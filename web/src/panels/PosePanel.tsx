@@ -1,0 +1,110 @@
+/** Sliders of all articulators, presets and resets. */
+import type { JSX } from 'preact';
+import { CHANNEL_GROUPS, type Channel, type ChannelGroup } from '../face/channels';
+import { PRESETS } from '../face/presets';
+import { Button, IconButton } from '../shell/Button';
+import { atRest, isAtRest, withArticulators, withChannel, withoutChannels, withoutGroup } from '../store/edit';
+import { apply, settle, sketch } from '../store/editing';
+import { canPose, edit } from '../store/state';
+
+export function PosePanel(): JSX.Element {
+  const disabled = !canPose.value;
+  return (
+    <div class="pose-panel">
+      <Presets disabled={disabled} />
+      {CHANNEL_GROUPS.map((group) => (
+        <Group key={group.name} group={group} disabled={disabled} />
+      ))}
+      <Button disabled={disabled || isAtRest(edit.value.pose)} onClick={() => apply(atRest)}>
+        Reset the whole pose
+      </Button>
+    </div>
+  );
+}
+
+function Presets({ disabled }: { readonly disabled: boolean }): JSX.Element {
+  return (
+    <div class="presets" role="group" aria-label="Presets">
+      {PRESETS.map(({ name, label, articulators }) => (
+        <button
+          key={name}
+          type="button"
+          class="chip"
+          disabled={disabled}
+          onClick={() => apply((present) => (name === 'neutral' ? atRest(present) : withArticulators(present, articulators)))}
+        >
+          {label}
+        </button>
+      ))}
+    </div>
+  );
+}
+
+function Group({ group, disabled }: { readonly group: ChannelGroup; readonly disabled: boolean }): JSX.Element {
+  const isMoved = group.channels.some(({ name }) => (edit.value.pose.articulators[name] ?? 0) !== 0);
+  return (
+    <fieldset class="channel-group" disabled={disabled}>
+      <legend>{group.label}</legend>
+      <IconButton
+        icon="reset"
+        label={`Reset ${group.label.toLowerCase()}`}
+        disabled={disabled || !isMoved}
+        onClick={() => apply((present) => withoutGroup(present, group.name))}
+      />
+      {group.channels.map((channel) => (
+        <Slider key={channel.name} channel={channel} />
+      ))}
+    </fieldset>
+  );
+}
+
+function Slider({ channel }: { readonly channel: Channel }): JSX.Element {
+  const value = edit.value.pose.articulators[channel.name] ?? 0;
+  const name = `${channel.label}: ${channel.ends[0]} to ${channel.ends[1]}`;
+  const share = (v: number) => `${((v - channel.min) / (channel.max - channel.min)) * 100}%`;
+  const reset = () => apply((present) => withoutChannels(present, [channel.name]));
+  return (
+    <div class="channel">
+      <span class="channel-label">{channel.label}</span>
+      <div class="channel-track">
+        <span class="end">{channel.ends[0]}</span>
+        <input
+          type="range"
+          aria-label={name}
+          style={{ '--from': share(Math.min(0, value)), '--to': share(Math.max(0, value)) }}
+          min={channel.min}
+          max={channel.max}
+          step={channel.step}
+          value={value}
+          onInput={(event) => sketch(withChannel(edit.value, channel.name, event.currentTarget.valueAsNumber))}
+          onChange={settle}
+          onDblClick={reset}
+        />
+        <span class="end">{channel.ends[1]}</span>
+      </div>
+      <NumberField channel={channel} value={value} />
+    </div>
+  );
+}
+
+function NumberField({ channel, value }: { readonly channel: Channel; readonly value: number }): JSX.Element {
+  const take = (event: Event & { currentTarget: HTMLInputElement }) => {
+    const typed = event.currentTarget.valueAsNumber;
+    if (Number.isFinite(typed)) apply((present) => withChannel(present, channel.name, typed));
+    event.currentTarget.value = shown(edit.value.pose.articulators[channel.name] ?? 0, channel);
+  };
+  return (
+    <input
+      type="number"
+      class="numeric"
+      aria-label={`${channel.label}, value`}
+      min={channel.min}
+      max={channel.max}
+      step={channel.step}
+      value={shown(value, channel)}
+      onChange={take}
+    />
+  );
+}
+
+const shown = (value: number, { unit }: Channel) => value.toFixed(unit === '°' ? 1 : 2);

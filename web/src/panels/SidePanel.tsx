@@ -1,0 +1,44 @@
+/** The side panel and its tabs. */
+import type { JSX } from 'preact';
+import { panel } from '../store/state';
+import { LayersPanel } from './LayersPanel';
+import { PosePanel } from './PosePanel';
+
+const TABS = [
+  { name: 'layers', label: 'Layers', Panel: LayersPanel },
+  { name: 'pose', label: 'Pose', Panel: PosePanel },
+] as const;
+
+export function SidePanel(): JSX.Element {
+  const { name: shown, label, Panel } = TABS.find(({ name }) => name === panel.value) ?? TABS[0];
+  const arrow = (event: KeyboardEvent) => {
+    if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
+    panel.value = shown === 'layers' ? 'pose' : 'layers';
+    document.getElementById(`tab-${panel.value}`)?.focus();
+  };
+  return (
+    <aside class="side-panel" aria-label="Panels">
+      <div class="tabs" role="tablist" aria-label="Panels" onKeyDown={arrow}>
+        {TABS.map((tab) => (
+          <button
+            key={tab.name}
+            id={`tab-${tab.name}`}
+            type="button"
+            role="tab"
+            aria-selected={tab.name === shown}
+            aria-controls="side-panel-body"
+            tabIndex={tab.name === shown ? 0 : -1}
+            onClick={() => {
+              panel.value = tab.name;
+            }}
+          >
+            {tab.label}
+          </button>
+        ))}
+      </div>
+      <div class="panel-body" id="side-panel-body" role="tabpanel" aria-label={label}>
+        <Panel />
+      </div>
+    </aside>
+  );
+}

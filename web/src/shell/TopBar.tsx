@@ -1,0 +1,72 @@
+/** The bar above everything: name, undo, theme, help, open, save, export. */
+import type { JSX } from 'preact';
+import { openProjectFile, saveProject } from '../project/files';
+import { redoStep, undoStep } from '../store/editing';
+import { nextTheme } from '../store/looking';
+import { report } from '../store/notices';
+import { closePortrait, rename } from '../store/opening';
+import { canRedo, canUndo, edit, scene, session, shortcutsShown, theme } from '../store/state';
+import { Button, IconButton } from './Button';
+import type { IconName } from './icons';
+import { PROJECTS, pickFile } from './pickFile';
+
+const THEME_ICONS = { system: 'contrast', light: 'sun', dark: 'moon' } as const satisfies Record<string, IconName>;
+
+export function TopBar(): JSX.Element {
+  const isOpen = session.value.kind !== 'welcome';
+  return (
+    <header class="top-bar">
+      <button type="button" class="brand" title="Start with another portrait" onClick={closePortrait} disabled={!isOpen}>
+        <BrandMark />
+        VectorTalker
+      </button>
+      {isOpen && <NameAndSteps />}
+      <div class="spacer" />
+      <IconButton icon={THEME_ICONS[theme.value]} label={`Theme: ${theme.value}`} onClick={nextTheme} />
+      <IconButton
+        icon="keyboard"
+        label="Keyboard shortcuts"
+        keys="?"
+        onClick={() => {
+          shortcutsShown.value = true;
+        }}
+      />
+      <Button emphasis="quiet" onClick={() => pickFile(PROJECTS, (file) => openProjectFile(file).catch(report))}>
+        Open
+      </Button>
+      {isOpen && (
+        <>
+          <Button disabled={!scene.value} onClick={() => saveProject().catch(report)}>
+            Save
+          </Button>
+        </>
+      )}
+    </header>
+  );
+}
+
+function NameAndSteps(): JSX.Element {
+  return (
+    <>
+      <input
+        class="name-field"
+        aria-label="Name of the portrait"
+        value={edit.value.name}
+        onChange={(event) => rename(event.currentTarget.value)}
+      />
+      <IconButton icon="undo" label="Undo" keys="Ctrl Z" disabled={!canUndo.value} onClick={undoStep} />
+      <IconButton icon="redo" label="Redo" keys="Ctrl Shift Z" disabled={!canRedo.value} onClick={redoStep} />
+    </>
+  );
+}
+
+function BrandMark(): JSX.Element {
+  return (
+    <svg class="brand-mark" viewBox="0 0 24 24" width="24" height="24" aria-hidden="true">
+      <path class="face" d="M12 2.500c5 0 8 3.600 8 8.600 0 5.600-3.600 10.400-8 10.400s-8-4.800-8-10.400c0-5 3-8.600 8-8.600Z" />
+      <path class="mouth" d="M7.600 13.600c2.800 1 6 1 8.800 0-.6 2.700-2.300 4.100-4.400 4.100s-3.800-1.400-4.400-4.100Z" />
+      <circle cx="8.800" cy="9.300" r="1.200" />
+      <circle cx="15.200" cy="9.300" r="1.200" />
+    </svg>
+  );
+}

@@ -1,0 +1,19 @@
+/** One line at the foot of the stage: what a press here would do. */
+import type { JSX } from 'preact';
+import { playing, session } from '../store/state';
+import { standing } from './posing';
+import { toolInHand } from './toolInHand';
+import { hoveredTarget, view } from './viewState';
+
+export function Hint(): JSX.Element | null {
+  if (session.value.kind === 'welcome' || session.value.kind === 'uploading') return null;
+  const isStopped = (standing.value?.limit.triangles.length ?? 0) > 0;
+  return (
+    <p class="hint">
+      <span class="numeric">{Math.round(view.value.scale * 100)} %</span>
+      {session.value.kind === 'editing' && !playing.value && (
+        <span>{isStopped ? 'As far as it goes: the glowing triangles would turn over' : toolInHand().hint(hoveredTarget.value)}</span>
+      )}
+    </p>
+  );
+}

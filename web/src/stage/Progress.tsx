@@ -1,0 +1,56 @@
+/** How far the tracing is: level dots, paths, time, and the two ways to end it early. */
+import type { JSX } from 'preact';
+import { hasEnded } from '../api/events';
+import type { JobState } from '../api/schema';
+import { Button } from '../shell/Button';
+import { connection, job, scene } from '../store/state';
+import { cancelTracing, keepWhatIsThere } from '../store/tracing';
+
+export function Progress(): JSX.Element | null {
+  const state = job.value;
+  if (!state || hasEnded(state)) return null;
+  return (
+    <section class="progress card" aria-label="Tracing">
+      <LevelDots state={state} />
+      <div class="progress-text">
+        <strong>{connection.value === 'reconnecting' || connection.value === 'lost' ? 'Reconnecting…' : stageText(state)}</strong>
+        <span class="quiet numeric">{timeText(state)}</span>
+      </div>
+      <div class="progress-actions">
+        {scene.value && <Button onClick={() => void keepWhatIsThere()}>Good enough</Button>}
+        <Button emphasis="quiet" onClick={() => void cancelTracing()}>
+          Cancel
+        </Button>
+      </div>
+      <progress class="progress-line" max={1} value={state.progress} aria-label="Progress of the tracing" />
+    </section>
+  );
+}
+
+function LevelDots({ state }: { readonly state: JobState }): JSX.Element {
+  const dots = Array.from({ length: state.levels }, (_, index) => index + 1);
+  return (
+    <div class="level-dots" role="img" aria-label={`Level ${state.level} of ${state.levels}`}>
+      {dots.map((level) => (
+        <i key={level} class={level < state.level ? 'done' : level === state.level ? 'now' : ''} />
+      ))}
+    </div>
+  );
+}
+
+function stageText(state: JobState): string {
+  if (state.phase === 'queued') return state.queue_position ? `In the queue, place ${state.queue_position}` : 'Starting…';
+  return state.n_paths > 0 ? `${sentence(state.stage)} · ${state.n_paths} paths` : sentence(state.stage);
+}
+
+function timeText({ elapsed_seconds: elapsed, remaining_seconds: remaining }: JobState): string {
+  return remaining === null ? duration(elapsed) : `${duration(elapsed)} · about ${duration(remaining)} left`;
+}
+
+/** "8 s", "1 min 20 s". */
+function duration(seconds: number): string {
+  const whole = Math.max(0, Math.round(seconds));
+  return whole < 60 ? `${whole} s` : `${Math.floor(whole / 60)} min ${whole % 60} s`;
+}
+
+const sentence = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);

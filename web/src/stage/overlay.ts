@@ -1,0 +1,121 @@
+/** Draws landmarks, groups, mesh, ghost and glowing triangles over the picture, in screen pixels, so that they keep their size. */
+import { GROUPS, indicesOf, landmarkName, N_LANDMARKS } from '../face/ibug';
+import { distance, type Xy } from '../face/vector';
+import { svgElement } from './svg';
+import { type Size, toScreen, type View } from './view';
+
+export type OverlayFrame = {
+  readonly view: View;
+  readonly stage: Size;
+  /** 68 landmarks as they stand, and at rest, in portrait pixels. */
+  readonly points: readonly Xy[];
+  readonly rest: readonly Xy[];
+  readonly irises: readonly Xy[];
+  /** Flat vertices of the mesh as they stand, and its triangles as vertex indices. */
+  readonly vertices: ArrayLike<number>;
+  readonly triangles: ArrayLike<number>;
+  /** Indices of the triangles that stop the pose. */
+  readonly limiting: ArrayLike<number>;
+  readonly shown: { readonly points: boolean; readonly mesh: boolean; readonly ghost: boolean };
+};
+
+export type Overlay = {
+  readonly root: SVGGElement;
+  readonly draw: (frame: OverlayFrame) => void;
+  readonly highlight: (index: number | null) => void;
+};
+
+export function createOverlay(): Overlay {
+  const mesh = svgElement('path', { class: 'mesh' });
+  const limit = svgElement('path', { class: 'limit' });
+  const ghost = svgElement('path', { class: 'ghost' });
+  const outline = svgElement('path', { class: 'outline' });
+  const irises = svgElement('path', { class: 'irises' });
+  const handles = Array.from({ length: N_LANDMARKS }, (_, index) => handle(index));
+  const groups = GROUPS.map((group) => {
+    const holder = svgElement('g', { role: 'group', 'aria-label': group.label, class: `handles ${group.name}` });
+    holder.append(...indicesOf(group).map((index) => handles[index]));
+    return holder;
+  });
+  const root = svgElement('g', {});
+  root.append(mesh, limit, ghost, outline, irises, ...groups);
+
+  function draw(frame: OverlayFrame): void {
+    const screen = (points: readonly Xy[]) => points.map((point) => toScreen(frame.view, frame.stage, point));
+    const points = screen(frame.points);
+    const { shown } = frame;
+    showParts(root, shown);
+    if (shown.mesh) mesh.setAttribute('d', trianglesPath(frame, undefined));
+    limit.setAttribute('d', frame.limiting.length > 0 ? trianglesPath(frame, frame.limiting) : '');
+    if (shown.ghost) ghost.setAttribute('d', groupsPath(screen(frame.rest)));
+    if (!shown.points) return;
+    outline.setAttribute('d', groupsPath(points));
+    irises.setAttribute('d', screen(frame.irises).map(crossPath).join(''));
+    points.forEach(([x, y], index) => {
+      handles[index].setAttribute('transform', `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
+    });
+  }
+
+  return { root, draw, highlight: highlighter(handles) };
+}
+
+/** Says a handle's displacement to screen readers; called when a handle is focused or nudged, not every frame. */
+export function describeHandle(element: Element, index: number, point: Xy, rest: Xy): void {
+  const dx = Math.round((point[0] - rest[0]) * 10) / 10;
+  const dy = Math.round((point[1] - rest[1]) * 10) / 10;
+  element.setAttribute('aria-valuenow', `${Math.round(distance(point, rest) * 10) / 10}`);
+  element.setAttribute('aria-valuetext', `${landmarkName(index)}: ${dx} right, ${dy} down`);
+}
+
+function handle(index: number): SVGCircleElement {
+  return svgElement('circle', {
+    class: 'handle',
+    r: '3.5',
+    role: 'slider',
+    tabindex: '-1',
+    'data-landmark': `${index}`,
+    'aria-label': landmarkName(index),
+    'aria-valuemin': '0',
+    'aria-valuemax': '1000',
+    'aria-valuenow': '0',
+    'aria-valuetext': 'at rest',
+  });
+}
+
+function highlighter(handles: readonly SVGCircleElement[]): (index: number | null) => void {
+  let lit: number | null = null;
+  return (index) => {
+    if (index === lit) return;
+    if (lit !== null) handles[lit].classList.remove('near');
+    if (index !== null) handles[index].classList.add('near');
+    lit = index;
+  };
+}
+
+function showParts(root: SVGGElement, shown: OverlayFrame['shown']): void {
+  for (const [name, isShown] of Object.entries(shown)) root.classList.toggle(`with-${name}`, isShown);
+}
+
+function groupsPath(points: readonly Xy[]): string {
+  return GROUPS.map(
+    (group) =>
+      `M${indicesOf(group)
+        .map((index) => decimals(points[index]))
+        .join('L')}${group.closed ? 'Z' : ''}`,
+  ).join('');
+}
+
+function trianglesPath({ vertices, triangles, view, stage }: OverlayFrame, only: ArrayLike<number> | undefined): string {
+  const corner = (vertex: number) => decimals(toScreen(view, stage, [vertices[2 * vertex], vertices[2 * vertex + 1]]));
+  const count = only ? only.length : triangles.length / 3;
+  const parts: string[] = [];
+  for (let k = 0; k < count; k += 1) {
+    const first = 3 * (only ? only[k] : k);
+    parts.push(`M${corner(triangles[first])}L${corner(triangles[first + 1])}L${corner(triangles[first + 2])}Z`);
+  }
+  return parts.join('');
+}
+
+const ARM = 5; // screen pixels of the cross on an iris
+const crossPath = ([x, y]: Xy) => `M${x - ARM} ${y}H${x + ARM}M${x} ${y - ARM}V${y + ARM}`;
+const decimals = ([x, y]: Xy) => `${x.toFixed(1)} ${y.toFixed(1)}`;

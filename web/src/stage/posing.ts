@@ -1,0 +1,32 @@
+/** The rig of the present scene and rest landmarks, and where it stands now: computed, never stored. */
+import { computed, signal } from '@preact/signals';
+import type { Xy } from '../face/vector';
+import { buildRig, type Rig } from '../rig/rig';
+import { REST_POSE } from '../store/edit';
+import { edit, history, scene, timeSeconds, tool, track } from '../store/state';
+import { posedBy } from '../timeline/track';
+
+/** Set once the WASM module is there. */
+export const rigModuleReady = signal(false);
+
+/** Rebuilt when a finer scene comes and when a correction of the rest landmarks is let go. */
+const restLandmarks = computed(() => history.value.present.landmarks);
+
+export const rig = computed<Rig | null>(() => {
+  if (!rigModuleReady.value || !scene.value || !restLandmarks.value) return null;
+  return buildRig(scene.value, restLandmarks.value);
+});
+
+/** While the rest landmarks are corrected, the portrait stands as it was drawn. */
+export const standingPose = computed(() => (tool.value === 'rest' ? REST_POSE : posedBy(edit.value.pose, track.value, timeSeconds.value)));
+
+/** Vertices of the mesh in that pose, and what stops it. */
+export const standing = computed(() => rig.value?.vertices(standingPose.value) ?? null);
+
+/** The 68 landmarks as they stand: corrected ones in the rest tool, posed ones otherwise. */
+export const standingPoints = computed<readonly Xy[]>(() => {
+  const rest = edit.value.landmarks?.points ?? [];
+  const vertices = standing.value?.vertices;
+  if (!vertices || tool.value === 'rest') return rest;
+  return rest.map((_, index): Xy => [vertices[2 * index], vertices[2 * index + 1]]);
+});

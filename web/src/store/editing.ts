@@ -1,0 +1,36 @@
+/** Actions on the document: drafts while something is dragged, steps when it is let go, undo and redo. */
+import type { Edit } from './edit';
+import { commit, redo, undo } from './history';
+import { draft, history } from './state';
+
+/** Shows an unfinished edit; nothing is kept until `settle`. */
+export function sketch(next: Edit): void {
+  draft.value = next;
+}
+
+/** Makes the sketched edit one step. */
+export function settle(): void {
+  if (draft.value) history.value = commit(history.value, draft.value);
+  draft.value = null;
+}
+
+/** Forgets the sketched edit. */
+export function discard(): void {
+  draft.value = null;
+}
+
+/** One finished edit: `change` gets the present document and returns the next one. */
+export function apply(change: (edit: Edit) => Edit): void {
+  draft.value = null;
+  history.value = commit(history.value, change(history.value.present));
+}
+
+export function undoStep(): void {
+  draft.value = null;
+  history.value = undo(history.value);
+}
+
+export function redoStep(): void {
+  draft.value = null;
+  history.value = redo(history.value);
+}

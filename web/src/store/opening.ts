@@ -1,0 +1,140 @@
+/** Actions that bring a portrait onto the stage: picture, faces, landmarks, job. */
+import { getFaces, getPortraitImage, postPortrait } from '../api/client';
+import type { Face, Landmarks, Portrait } from '../api/schema';
+import { editOf, withLandmarks } from './edit';
+import { apply } from './editing';
+import { historyOf } from './history';
+import { announce, dismiss, report, tell } from './notices';
+import { draft, edit, history, type Pins, playing, portrait, scene, session, timeSeconds, tool, tracedLandmarks } from './state';
+import { leaveJob, startTracing } from './tracing';
+
+let opening = new AbortController();
+
+/** From a picture to a running job. A newer picture takes over from one that is still being opened. */
+export async function openPicture(picture: Blob, name: string): Promise<void> {
+  const { signal } = startOpening();
+  session.value = { kind: 'uploading', name, picture };
+  try {
+    const posted = await postPortrait(picture, name, signal);
+    show(posted, picture);
+    replaceByNormalised(posted, signal).catch(report);
+    const { faces } = await getFaces(posted.id, signal);
+    await takeFaces(faces, posted);
+  } catch (error) {
+    if (signal.aborted) return;
+    if (!portrait.value) session.value = { kind: 'welcome' };
+    report(error);
+  }
+}
+
+/** Back to the first screen. */
+export function closePortrait(): void {
+  startOpening();
+  session.value = { kind: 'welcome' };
+}
+
+/** One of several faces was picked. */
+export async function chooseFace(face: Face): Promise<void> {
+  session.value = { kind: 'editing' };
+  await useFace(face);
+}
+
+/** The fitted pins became landmarks, or null: the picture is traced without a face. */
+export async function useFit(landmarks: Landmarks | null): Promise<void> {
+  const isFirst = scene.value === null;
+  session.value = { kind: 'editing' };
+  dismiss();
+  if (isFirst) history.value = historyOf(withLandmarks(edit.value, landmarks));
+  else apply((present) => withLandmarks(present, landmarks));
+  if (isFirst) await startTracing();
+}
+
+/** Lays five pins on the portrait, to be dragged onto the face. */
+export function startPinning(noFaceFound: boolean): void {
+  const open = portrait.value;
+  if (open) session.value = { kind: 'pinning', pins: middlePins(open.width, open.height), noFaceFound };
+}
+
+export function movePin(index: number, x: number, y: number): void {
+  const now = session.value;
+  if (now.kind !== 'pinning') return;
+  const pins = now.pins.map((pin, k) => (k === index ? [x, y] : pin)) as unknown as Pins; // map forgets the length of a tuple
+  session.value = { ...now, pins };
+}
+
+/** Leaves the pins of a portrait that is traced already. */
+export function stopPinning(): void {
+  session.value = { kind: 'editing' };
+}
+
+function startOpening(): AbortController {
+  clearStage();
+  return opening;
+}
+
+/** Takes everything off the stage; what is still being opened or traced is stopped. */
+export function clearStage(): void {
+  opening.abort();
+  opening = new AbortController();
+  leaveJob();
+  dismiss();
+  draft.value = null;
+  portrait.value = null;
+  scene.value = null;
+  tracedLandmarks.value = null;
+  playing.value = false;
+  timeSeconds.value = 0;
+}
+
+function show(posted: Portrait, picture: Blob): void {
+  portrait.value = { ...posted, picture };
+  history.value = historyOf(editOf(nameWithoutEnding(posted.name), null));
+  session.value = { kind: 'editing' };
+  tool.value = 'pose';
+  if (posted.notices.length > 0) tell({ kind: 'advice', text: posted.notices.join(' ') });
+}
+
+/** The server's picture has its turn and colours put right, and opens where the browser cannot read the original. */
+async function replaceByNormalised(posted: Portrait, signal: AbortSignal): Promise<void> {
+  const picture = await getPortraitImage(posted.id, signal);
+  if (portrait.value?.id === posted.id) portrait.value = { ...portrait.value, picture };
+}
+
+async function takeFaces(faces: readonly Face[], posted: Portrait): Promise<void> {
+  if (faces.length === 0) {
+    announce('No face found. Put the five pins on the eyes, the tip of the nose and the mouth corners.');
+    startPinning(true);
+  } else if (faces.length > 1) {
+    announce('Which face should talk?');
+    session.value = { kind: 'choosing', faces: { width: posted.width, height: posted.height, faces: [...faces] } };
+  } else await useFace(faces[0]);
+}
+
+async function useFace(face: Face): Promise<void> {
+  history.value = historyOf(withLandmarks(edit.value, face.landmarks));
+  if (face.fit_advised) adviseFit();
+  await startTracing();
+}
+
+function adviseFit(): void {
+  tool.value = 'rest';
+  tell({
+    kind: 'advice',
+    text: 'Check the landmarks: the fit is doubtful. Drag points onto the eyes and the mouth.',
+    action: { label: 'Use five pins', run: () => startPinning(false) },
+  });
+}
+
+/** Pins where a face mostly is: in the upper middle, a third of the shorter side wide. */
+function middlePins(width: number, height: number): Pins {
+  const unit = Math.min(width, height);
+  const at = (x: number, y: number): [number, number] => [width / 2 + x * unit, height * 0.45 + y * unit];
+  return [at(-0.11, -0.08), at(0.11, -0.08), at(0, 0.03), at(-0.08, 0.13), at(0.08, 0.13)];
+}
+
+const nameWithoutEnding = (name: string) => name.replace(/\.[^.]{1,5}$/, '');
+
+export function rename(name: string): void {
+  const trimmed = name.trim();
+  if (trimmed) apply((present) => (present.name === trimmed ? present : { ...present, name: trimmed }));
+}

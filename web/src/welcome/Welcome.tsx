@@ -1,0 +1,75 @@
+/** The first screen: one sentence, one place to put a portrait, six samples, and what happens to the picture. */
+import type { JSX } from 'preact';
+import { Button } from '../shell/Button';
+import { Icon } from '../shell/icons';
+import { PICTURES, pickFile } from '../shell/pickFile';
+import { report, tell } from '../store/notices';
+import { dragging, openClipboard, openFile, openSample } from './incoming';
+import { type Sample, samples } from './samples';
+
+export function Welcome(): JSX.Element {
+  return (
+    <main class="welcome">
+      <h1>A portrait becomes a layered SVG that talks.</h1>
+      <p class="lead">
+        Photo, painting, manga, cartoon: it is redrawn as a few hundred vector shapes that you pose by hand, play and export.
+      </p>
+      <DropZone />
+      <Samples />
+      <p class="quiet small-print">
+        The picture goes to the VectorTalker server at {location.host} and nowhere else; it stays there until you remove it. Your work is
+        kept in this browser. No account.
+      </p>
+    </main>
+  );
+}
+
+function DropZone(): JSX.Element {
+  return (
+    <section class={dragging.value ? 'drop-zone over' : 'drop-zone'} aria-label="Open a portrait">
+      <Icon name="picture" />
+      <p class="drop-title">{dragging.value ? 'Let go to open it' : 'Drop a portrait here'}</p>
+      <div class="row">
+        <Button emphasis="primary" onClick={() => pickFile(PICTURES, openFile)}>
+          Choose a file
+        </Button>
+        <Button onClick={() => void paste()}>Paste</Button>
+      </div>
+      <p class="quiet">PNG, JPEG, WebP, GIF, BMP or TIFF, up to 25 MB</p>
+    </section>
+  );
+}
+
+async function paste(): Promise<void> {
+  const found = await openClipboard().catch(() => false);
+  if (!found) tell({ kind: 'advice', text: 'The clipboard shows no picture to this button. Copy one and press Ctrl V.' });
+}
+
+function Samples(): JSX.Element | null {
+  if (samples.value.length === 0) return null;
+  return (
+    <section class="samples" aria-label="Samples">
+      <h2>Or start with one of these</h2>
+      <ul>
+        {samples.value.map((sample) => (
+          <li key={sample.file}>
+            <SampleCard sample={sample} />
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+function SampleCard({ sample: { file, label, style } }: { readonly sample: Sample }): JSX.Element {
+  const url = `samples/${file}`;
+  return (
+    <button type="button" class="sample" onClick={() => openSample(url, file).catch(report)}>
+      <img src={url} alt="" loading="lazy" />
+      <span>
+        <strong>{label}</strong>
+        <span class="quiet">{style}</span>
+      </span>
+    </button>
+  );
+}
