@@ -24,7 +24,8 @@ from vectortalker.vectorize.schedule import LevelPlan, plan
 from vectortalker.vectorize.targets import prepare
 
 PREPARED = 0.05  # share of the time spent before the first level
-OPTIMISED = 0.97  # and up to the end of the last
+OPTIMISED = 0.97  # up to the end of the last level …
+WRITTEN = 0.98  # … and to the finished SVG
 FILL_PARAMETERS = {"solid": 4, "linear": 12}  # colour and opacity; two of each and two axis ends
 
 
@@ -61,7 +62,7 @@ def vectorize(
         yield _report(step, plans, settings, frame, portrait, targets.canvas)
     scene = compose(last.population, plans[last.level_index].frame, frame, portrait, targets.canvas)
     svg = to_svg(scene, targets.openings, portrait.name, (frame.width, frame.height))
-    yield Progress("measuring", last.level_index + 1, settings.levels, len(last.population), OPTIMISED, scene)
+    yield Progress("measuring", last.level_index + 1, settings.levels, len(last.population), WRITTEN, scene)
     elapsed = time.perf_counter() - clock, time.process_time() - cpu_clock
     return Result(scene, svg, _measure(scene, svg, picture, settings, last.iteration, elapsed))
 
