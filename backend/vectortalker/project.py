@@ -1,7 +1,7 @@
 """A project file `.vtalk` becomes a `Project` with its picture and sound, and back.
 
-It is a zip of `project.json` and the files that it names as `source` and `audio`. All that is read comes from strangers:
-sizes are limited before and while unpacking, names are names and never paths, newer versions are refused.
+It is a zip of `project.json` and the files that it names as `source` and `audio`. All that is read comes from
+strangers: sizes are limited before and while unpacking, names are names and never paths, newer versions are refused.
 """
 
 from __future__ import annotations

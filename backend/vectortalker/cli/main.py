@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from vectortalker.errors import ErrorCode, VectorTalkerError
 
-COMMANDS = ("vectorize", "landmarks", "batch", "serve", "worker")
+COMMANDS = ("vectorize", "landmarks", "animate", "batch", "serve", "worker")
 OURS: tuple[ErrorCode, ...] = ("internal", "storage_full", "queue_full")  # not the user's fault
 INTERRUPTED = 130  # 128 + SIGINT, as shells have it
 

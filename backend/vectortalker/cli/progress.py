@@ -21,7 +21,7 @@ class Bar:
 
 @contextmanager
 def progress_bar(name: str) -> Iterator[Bar]:
-    """Redrawn in a terminal; elsewhere written once, at its end. Gone if the block fails, so that the fault stands alone."""
+    """Redrawn in a terminal; elsewhere written once, at its end. Gone if the block fails: the fault stands alone."""
     columns = (
         TextColumn("{task.description}"),
         BarColumn(),

@@ -58,7 +58,7 @@ def add_fault_handlers(app: FastAPI) -> None:
     async def _http(request: Request, error: HTTPException) -> Response:
         if error.status_code == 404:
             return answer(VectorTalkerError("not_found", f"There is nothing at {request.url.path[:200]}."))
-        return answer(VectorTalkerError("bad_request", str(error.detail)), error.status_code)
+        return answer(VectorTalkerError("bad_request", f"{error.detail.rstrip('.')}."), error.status_code)
 
     @app.exception_handler(StreamEndedError)
     async def _ended(_: Request, __: StreamEndedError) -> Response:

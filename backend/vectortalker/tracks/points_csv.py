@@ -1,7 +1,7 @@
 """Raw 68-point rows `t,x0,y0,…,x67,y67` of a tracked face become a landmark track.
 
-The neutral face is the row whose lips are nearest to closed among those whose eyes are open; offsets from it are in units
-of its outer-eye distance. Head motion stays in the track.
+The neutral face is the row whose lips are nearest to closed among those whose eyes are open; offsets from it are in
+units of its outer-eye distance. Head motion stays in the track.
 """
 
 from __future__ import annotations

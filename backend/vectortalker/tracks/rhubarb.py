@@ -1,4 +1,4 @@
-"""Mouth cues of Rhubarb Lip Sync become articulators: each shape is held, then crossed over to the next in time for it."""
+"""Mouth cues of Rhubarb Lip Sync become articulators: a shape is held, then crosses over to the next in time for it."""
 
 from __future__ import annotations
 

@@ -1,0 +1,132 @@
+"""Servers that the tests talk to: the API alone, and the whole command with a worker process."""
+
+from __future__ import annotations
+
+import io
+import os
+import socket
+import subprocess
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import httpx
+import numpy as np
+import pytest
+import uvicorn
+from PIL import Image
+from starlette.types import ASGIApp, Receive, Scope, Send
+from vectortalker.server.app import create_app
+from vectortalker.server.services import Services, open_services
+from vectortalker.server.settings import Settings
+
+COMMAND = Path(__file__).parents[2] / ".venv" / "bin" / "vectortalker"
+START_SECONDS = 90  # torch on a busy machine
+PAGE = '<!doctype html><title>page</title><script type="module" src="./page.js"></script>'
+
+
+def free_port() -> int:
+    with socket.socket() as listener:
+        listener.bind(("127.0.0.1", 0))
+        return listener.getsockname()[1]
+
+
+def picture(width: int = 96, height: int = 128) -> bytes:
+    """A smooth colourful PNG, the same every time."""
+    y, x = np.mgrid[0:height, 0:width]
+    waves = [128 + 90 * np.sin(x / 17 + k) * np.cos(y / 23 - k) for k in range(3)]
+    file = io.BytesIO()
+    Image.fromarray(np.stack(waves, axis=-1).astype(np.uint8)).save(file, "PNG")
+    return file.getvalue()
+
+
+def wait_until(condition, seconds: float = 30) -> None:
+    """Poll until true; fail with the condition's name after `seconds`."""
+    deadline = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < deadline, f"not within {seconds} s"
+        time.sleep(0.02)
+
+
+@pytest.fixture
+def services(tmp_path: Path) -> Iterator[Services]:
+    page = tmp_path / "page"
+    page.mkdir()
+    (page / "index.html").write_text(PAGE)
+    opened = open_services(Settings(data=tmp_path / "data", page=page, max_queued=3, max_body_bytes=2_000_000))
+    yield opened
+    opened.jobs.close()
+
+
+class Socket:
+    """A real port whose application is exchanged from test to test."""
+
+    def __init__(self) -> None:
+        self.app: ASGIApp | None = None
+        self.url = f"http://127.0.0.1:{(port := free_port())}"
+        self.server = uvicorn.Server(uvicorn.Config(self, port=port, log_level="error", lifespan="off"))
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        assert self.app is not None
+        await self.app(scope, receive, send)
+
+
+@pytest.fixture(scope="session")
+def listening() -> Iterator[Socket]:
+    opened = Socket()
+    thread = threading.Thread(target=opened.server.run)
+    thread.start()
+    wait_until(lambda: opened.server.started)
+    yield opened
+    opened.server.should_exit = True
+    thread.join()
+
+
+@pytest.fixture
+def client(services: Services, listening: Socket) -> Iterator[httpx.Client]:
+    """A client of the API, without workers."""
+    listening.app = create_app(services)
+    with httpx.Client(base_url=listening.url, timeout=20) as opened:
+        yield opened
+
+
+class Serving:
+    """`vectortalker serve` as a process; it can be killed and started again on the same data."""
+
+    def __init__(self, data: Path) -> None:
+        self._data = data
+        self.start()
+
+    def start(self) -> None:
+        port = free_port()
+        self.process = subprocess.Popen(
+            [str(COMMAND), "serve", "--data", str(self._data)],
+            env={**os.environ, "PORT": str(port)},
+        )
+        self.client = httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=20)
+        wait_until(self._is_ready, START_SECONDS)
+
+    def _is_ready(self) -> bool:
+        assert self.process.poll() is None, "the server ended"
+        try:
+            return self.client.get("/api/health").json()["workers"] == 1
+        except httpx.TransportError:
+            return False
+
+    def kill(self) -> None:
+        self.client.close()
+        self.process.kill()
+        self.process.wait()
+
+    def stop(self) -> None:
+        self.client.close()
+        self.process.terminate()
+        self.process.wait(timeout=10)
+
+
+@pytest.fixture(scope="session")
+def serving(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Serving]:
+    served = Serving(tmp_path_factory.mktemp("served"))
+    yield served
+    served.stop()
