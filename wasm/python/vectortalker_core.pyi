@@ -1,5 +1,7 @@
 """Types of the Rust core."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -47,9 +49,77 @@ class Rig:
     def vertices(self, articulators: list[float], offsets: Array | None = None) -> tuple[Array, float, list[int]]:
         """Vertices [V, 2], the kept share of the motion, and the triangles that limit it."""
 
-    def frame(
-        self, vertices: Array, since: Array | None = None
-    ) -> tuple[NDArray[np.uintp], NDArray[np.uintp], Array]:
+    def frame(self, vertices: Array, since: Array | None = None) -> tuple[NDArray[np.uintp], NDArray[np.uintp], Array]:
         """Changed paths, the starts (one more) of their points, and the points."""
 
     def openings(self, vertices: Array) -> list[Array]: ...
+
+# ---------------------------------------------------------------- raster
+
+Floats = NDArray[np.float32]
+Flags = NDArray[np.bool_] | NDArray[np.uint8]
+Gradients = tuple[NDArray[np.float64], Floats, Floats, Floats, Floats, NDArray[np.float64] | None]
+
+def rasterize(
+    points: Floats,
+    stops: Floats,
+    axis: Floats,
+    gradient: Flags,
+    clip: NDArray[np.int32],
+    clips: Floats,
+    canvas: Floats,
+    width: int,
+    height: int,
+    subrows: int = 1,
+    threads: int = 0,
+    quantise: bool = False,
+) -> Floats:
+    """Picture [H, W, 3] of paths in painter's order.
+
+    `points` [n, 3S, 2] pixels; `stops` [n, 2, 4] RGBA in [0, 1], unpremultiplied; `axis` [n, 4] x1, y1, x2, y2;
+    `gradient` [n]: linear fill, else the first stop alone; `clip` [n]: mask of `clips` [k, H, W] multiplying opacity,
+    −1 for none; `canvas` [3]. `subrows` 1, 2 or 4: over how many rows of a pixel the nonzero rule is resolved.
+    `quantise`: round to 8 bits after every blend. `threads` 0: all cores. Raises ValueError naming value and limit.
+    """
+
+def loss_and_gradients(
+    points: Floats,
+    stops: Floats,
+    axis: Floats,
+    gradient: Flags,
+    clip: NDArray[np.int32],
+    clips: Floats,
+    canvas: Floats,
+    checkpoints: Sequence[tuple[int, Floats, Floats]],
+    subrows: int = 1,
+    threads: int = 0,
+    importance: bool = False,
+    quantise: bool = False,
+) -> Gradients:
+    """Losses [k], picture, gradients of their sum by points, stops and axis, and (if asked for) importance [n].
+
+    A checkpoint (paths below, target [H, W, 3], weight [H, W]) compares the picture of the lowest paths with a target:
+    `Σ weight·|C − target|² / 3HW`. Checkpoints ascend by paths below. Importance is the exact rise of the summed loss
+    if the path were removed. Gradients pass straight through the rounding of `quantise`.
+    """
+
+def gradients(
+    points: Floats,
+    stops: Floats,
+    axis: Floats,
+    gradient: Flags,
+    clip: NDArray[np.int32],
+    clips: Floats,
+    canvas: Floats,
+    grad_image: Floats,
+    subrows: int = 1,
+    threads: int = 0,
+    quantise: bool = False,
+) -> Gradients:
+    """As `loss_and_gradients` for any loss, given its gradient `grad_image` [H, W, 3] by the picture; no losses."""
+
+def coverage(points: Floats, width: int, height: int) -> Floats:
+    """Coverage [H, W] of one closed path [3S, 2], resolved over 4 sub-rows."""
+
+def overlap(points: Floats, width: int, height: int, threads: int = 0) -> NDArray[np.float64]:
+    """Areas of every path in pixels, [n, 3]: covered; wound around more than once; wound against its main direction."""

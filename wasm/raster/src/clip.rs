@@ -140,14 +140,11 @@ impl Clip<'_> {
         if low >= 0.0 && high <= width {
             return self.push(p);
         }
-        let at = |x: f32| {
-            if p.dx == 0.0 {
-                0.0
-            } else {
-                ((x - p.x) / p.dx).clamp(0.0, 1.0)
-            }
-        };
-        let (enter, leave) = if p.dx >= 0.0 {
+        if p.dx == 0.0 {
+            return self.side(p, 0.0, 1.0);
+        }
+        let at = |x: f32| ((x - p.x) / p.dx).clamp(0.0, 1.0);
+        let (enter, leave) = if p.dx > 0.0 {
             (at(0.0), at(width))
         } else {
             (at(width), at(0.0))
@@ -156,9 +153,6 @@ impl Clip<'_> {
             if u1 > u0 {
                 self.side(p, u0, u1);
             }
-        }
-        if p.dx == 0.0 {
-            self.side(p, 0.0, 1.0);
         }
     }
 

@@ -10,11 +10,11 @@ const SATURATED: f32 = 1.0005;
 /// How often a path lies over itself, in pixel areas.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Overlap {
-    /// Area with any winding.
+    /// Covered area.
     pub covered: f64,
-    /// Area wound around more than once.
+    /// The part of it that is wound around more than once.
     pub folded: f64,
-    /// Area wound against the path's main direction.
+    /// The part of it that is wound against the path's main direction.
     pub reversed: f64,
 }
 
@@ -67,18 +67,13 @@ pub fn overlap(winding: &[Lane], subrows: usize, columns: usize, height: usize) 
     let cells = winding[..columns * subrows]
         .iter()
         .flat_map(|lane| &lane[..height]);
-    let main: f64 = cells.clone().map(|&w| f64::from(w)).sum::<f64>().signum();
+    let main = cells.clone().map(|&w| f64::from(w)).sum::<f64>().signum();
     let mut found = Overlap::default();
     for &w in cells {
-        let w = f64::from(w) * main;
-        let share = 1.0 / subrows as f64;
-        found.covered += if w.abs() > 0.5 { share } else { 0.0 };
-        found.folded += if w.abs() > f64::from(SATURATED) {
-            share
-        } else {
-            0.0
-        };
-        found.reversed += if w < -f64::from(SNAP) { share } else { 0.0 };
+        let area = f64::from(saturate(w)) / subrows as f64;
+        found.covered += area;
+        found.folded += if w.abs() > SATURATED { area } else { 0.0 };
+        found.reversed += if f64::from(w) * main < 0.0 { area } else { 0.0 };
     }
     found
 }
