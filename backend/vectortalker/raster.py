@@ -18,6 +18,10 @@ from torch.autograd.function import once_differentiable
 
 WHITE = (1.0, 1.0, 1.0)
 
+Floats = NDArray[np.float32]
+Grads = tuple[Tensor | None, ...]
+Arguments = tuple[Floats, Floats, Floats, NDArray[np.bool_], NDArray[np.int32], Floats, Floats]
+
 
 @dataclass(frozen=True)
 class Paint:
@@ -73,8 +77,8 @@ class _Rasterize(torch.autograd.Function):
         return torch.from_numpy(image)
 
     @staticmethod
-    @once_differentiable
-    def backward(ctx: Any, *grad_outputs: Tensor) -> tuple[Tensor | None, ...]:
+    @once_differentiable  # hides the parameters' names from pyright
+    def backward(ctx: Any, *grad_outputs: Tensor) -> Grads:  # pyright: ignore[reportIncompatibleMethodOverride]
         points, stops, axis = ctx.saved_tensors
         arrays = _arrays(points, stops, axis, ctx.paint, ctx.size)
         paint = ctx.paint
@@ -103,14 +107,12 @@ class _Loss(torch.autograd.Function):
         return points.new_tensor(found[0][0])
 
     @staticmethod
-    @once_differentiable
-    def backward(ctx: Any, *grad_outputs: Tensor) -> tuple[Tensor | None, ...]:
+    @once_differentiable  # hides the parameters' names from pyright
+    def backward(ctx: Any, *grad_outputs: Tensor) -> Grads:  # pyright: ignore[reportIncompatibleMethodOverride]
         return (*(grad_outputs[0] * grad for grad in ctx.saved_tensors), None, None, None)
 
 
-def _arrays(
-    points: Tensor, stops: Tensor, axis: Tensor, paint: Paint, size: tuple[int, int]
-) -> tuple[NDArray[Any], ...]:
+def _arrays(points: Tensor, stops: Tensor, axis: Tensor, paint: Paint, size: tuple[int, int]) -> Arguments:
     """The core's first seven arguments."""
     n = len(points)
     gradient = np.zeros(n, np.bool_) if paint.gradient is None else paint.gradient
