@@ -107,7 +107,7 @@ def _validated(document: dict[str, Any], name: str) -> Project:
 def _media(entries: zipfile.ZipFile, entry: str | None, name: str) -> bytes | None:
     if entry is None:
         return None
-    if Path(entry).name != entry or "\\" in entry or entry in (DOCUMENT, ".", ".."):
+    if not entry or Path(entry).name != entry or "\\" in entry or entry in (DOCUMENT, ".", ".."):
         raise _bad(f"{name} names {entry[:60]!r}, which is no plain file name.")
     return _read(entries, entry, MAX_MEDIA_BYTES, name)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import os
 import socket
 import subprocess
@@ -12,10 +11,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import httpx
-import numpy as np
 import pytest
 import uvicorn
-from PIL import Image
 from starlette.types import ASGIApp, Receive, Scope, Send
 from vectortalker.server.app import create_app
 from vectortalker.server.services import Services, open_services
@@ -30,15 +27,6 @@ def free_port() -> int:
     with socket.socket() as listener:
         listener.bind(("127.0.0.1", 0))
         return listener.getsockname()[1]
-
-
-def picture(width: int = 96, height: int = 128) -> bytes:
-    """A smooth colourful PNG, the same every time."""
-    y, x = np.mgrid[0:height, 0:width]
-    waves = [128 + 90 * np.sin(x / 17 + k) * np.cos(y / 23 - k) for k in range(3)]
-    file = io.BytesIO()
-    Image.fromarray(np.stack(waves, axis=-1).astype(np.uint8)).save(file, "PNG")
-    return file.getvalue()
 
 
 def wait_until(condition, seconds: float = 30) -> None:

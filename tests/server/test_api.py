@@ -8,7 +8,7 @@ import httpx
 import pytest
 from vectortalker.server.services import Services
 
-from .conftest import picture
+from .pictures import picture
 
 UNKNOWN = "0" * 32
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import sqlite3
 import subprocess
 import sys
 import threading
@@ -43,7 +44,10 @@ class Supervisor:
     def run(self, stop: threading.Event) -> None:
         try:
             while not stop.is_set():
-                self._tick()
+                try:
+                    self._tick()
+                except (sqlite3.Error, OSError):  # a full or busy disk passes; the next tick starts afresh
+                    log.exception("supervision was interrupted")
                 stop.wait(TICK_SECONDS)
         finally:
             for place in self._places:
@@ -75,10 +79,11 @@ class Supervisor:
     def _stop_stubborn(self) -> None:
         held = {held.worker: held.job_id for held in self._services.jobs.stubborn(PATIENCE_SECONDS)}
         for place in self._places:
-            if place.worker in held:
-                log.info("worker %s is replaced: it kept the cancelled job %s", place.worker, held[place.worker])
+            job_id = held.get(place.worker)
+            if job_id is not None:
+                log.info("worker %s is replaced: it kept the cancelled job %s", place.worker, job_id)
                 self._end(place)
-                self._services.blobs.delete_folder(folder(held[place.worker]))
+                self._services.blobs.delete_folder(folder(job_id))
 
     def _end(self, place: _Place) -> None:
         """Kill the process if it still lives, and end its lease."""
