@@ -54,6 +54,35 @@ class Rig:
 
     def openings(self, vertices: Array) -> list[Array]: ...
 
+# ---------------------------------------------------------------- smil
+
+def animated_svg(
+    rig: Rig,
+    size: tuple[float, float],
+    canvas: list[int],
+    layers: tuple[int, int],
+    openings: list[int],
+    fills: Array,
+    axes: Array,
+    vertices: Array,
+    duration: float,
+    tolerance: float,
+    looped: bool,
+    title: str,
+    description: str,
+) -> str:
+    """Animated SVG of a rigged scene.
+
+    `layers`: numbers of back and fore paths; `openings` [n_local]; `fills` [n, 9]: 0 solid or 1 linear, then red, green,
+    blue (0…255) and opacity of both stops; `axes` [2n, 2]: gradient ends at rest; `vertices` [frames, V, 2], evenly over
+    `duration` seconds; `tolerance` in portrait pixels. Raises ValueError when they do not fit together.
+    """
+
+def follow_gradients(
+    rig: Rig, changed: NDArray[np.uintp], starts: NDArray[np.uintp], points: Array, axes: Array
+) -> Array:
+    """Ends [2k, 2] of the gradients of the k changed paths of a frame, from their rest ends `axes` [2n, 2]."""
+
 # ---------------------------------------------------------------- raster
 
 Floats = NDArray[np.float32]

@@ -40,9 +40,14 @@ class Drawing:
         return range(fore), range(fore, local), range(local, len(self.fills))
 
     @property
+    def linear(self) -> NDArray[np.bool_]:
+        """Which paths have a gradient, [n]."""
+        return np.array([isinstance(fill, LinearFill) for fill in self.fills], bool)
+
+    @property
     def n_points(self) -> int:
         """Points of one frame."""
-        return int(self.bounds[-1]) + 2 * sum(isinstance(fill, LinearFill) for fill in self.fills)
+        return int(self.bounds[-1]) + 2 * int(self.linear.sum())
 
 
 def drawing_of(scene: Scene, path_sizes: Sequence[int], opening_sizes: Sequence[int]) -> Drawing:

@@ -40,7 +40,7 @@ class FrameRenderer:
         self._surface = skia.Surface.MakeRaster(skia.ImageInfo.MakeN32Premul(*size))
         self._background = _colour(background or drawing.canvas)
         self._scale = size[0] / drawing.width, size[1] / drawing.height
-        linear = [path for path, fill in enumerate(drawing.fills) if isinstance(fill, LinearFill)]
+        linear = np.flatnonzero(drawing.linear).tolist()
         self._gradient_rows = {path: int(drawing.bounds[-1]) + 2 * rank for rank, path in enumerate(linear)}
         self._points: Points | None = None
         self._outlines = [skia.Path() for _ in drawing.bounds[:-1]]

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 from types import TracebackType
 from typing import Self
 
 import av
+from av.audio.stream import AudioStream
 from av.error import FFmpegError
 
 from vectortalker.errors import VectorTalkerError
+
+AAC_RATE = 48000
 
 
 class AudioReader:
@@ -55,3 +59,21 @@ class AudioReader:
         for resampled in self._resampler.resample(frame):
             resampled.pts = None
             self._fifo.write(resampled)
+
+
+def as_m4a(path: Path) -> bytes:
+    """The sound of `path` as AAC in MP4, which every browser plays. Raises `bad_audio` as `AudioReader` does."""
+    file = io.BytesIO()
+    with (
+        AudioReader(path, AAC_RATE) as samples,
+        av.open(file, "w", format="mp4") as container,
+    ):
+        stream = container.add_stream("aac", rate=AAC_RATE, layout="stereo")
+        assert isinstance(stream, AudioStream)
+        n_written = 0
+        while (chunk := samples.read(AAC_RATE)) is not None:
+            chunk.pts = n_written
+            n_written += chunk.samples
+            container.mux(stream.encode(chunk))
+        container.mux(stream.encode())
+    return file.getvalue()

@@ -11,6 +11,8 @@ use geometry::rig::{RestFace, Rig};
 use geometry::scene::{Layer, SceneGeometry};
 use wasm_bindgen::prelude::*;
 
+mod smil;
+
 /// Names of the articulators, in the order `Rig.vertices` takes them.
 #[wasm_bindgen(js_name = channelNames)]
 #[must_use]

@@ -4,9 +4,11 @@ use pyo3::prelude::*;
 
 mod geometry;
 mod raster;
+mod smil;
 
 #[pymodule]
 fn vectortalker_core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     raster::register(module)?;
-    geometry::register(module)
+    geometry::register(module)?;
+    smil::register(module)
 }

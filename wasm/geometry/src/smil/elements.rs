@@ -12,8 +12,8 @@ use crate::point::Point;
 /// What moves less than this, in portrait pixels, is not animated: nobody sees it.
 pub const STILL: f64 = 0.35;
 
-/// Steps of a written coordinate per tolerance: rounding takes a ninth of the tolerance, keyframes get the rest.
-const STEPS_PER_TOLERANCE: f64 = 8.0;
+/// Steps of a written coordinate per tolerance: rounding takes a sixth of the tolerance, keyframes get the rest.
+const STEPS_PER_TOLERANCE: f64 = 4.0;
 
 /// What coordinates and movements are relative to.
 #[derive(Clone, Copy, PartialEq, Eq)]

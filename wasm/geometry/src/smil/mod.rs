@@ -16,11 +16,13 @@ mod keyframes;
 mod path_data;
 mod picture;
 mod reference;
+mod rigged;
 #[cfg(test)]
 mod round_trip;
 
 pub use document::write;
 pub use picture::{Fill, Motion, Picture, Stop};
+pub use rigged::RiggedMotion;
 
 /// How an animated SVG is written.
 #[derive(Clone, Copy, Debug)]
@@ -33,4 +35,12 @@ pub struct Options<'a> {
     pub looped: bool,
     pub title: &'a str,
     pub description: &'a str,
+}
+
+impl Options<'_> {
+    /// Whether duration and tolerance are finite and above zero.
+    #[must_use]
+    pub fn is_sound(&self) -> bool {
+        [self.duration, self.tolerance].iter().all(|value| value.is_finite() && *value > 0.0)
+    }
 }

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::opening::Opening;
 use crate::point::Point;
 
 /// Colour (sRGB bytes) and opacity (0…1) at one end of a gradient, or of a whole fill.
@@ -31,7 +32,34 @@ pub struct Picture {
     pub openings: Vec<usize>,
 }
 
+impl Fill {
+    /// Fills of flat numbers, nine a path: 0 solid or 1 linear, then red, green, blue (0…255) and opacity (0…1) of both
+    /// stops. A solid fill is its first stop.
+    #[must_use]
+    pub fn from_flat(flat: &[f64]) -> Vec<Self> {
+        let stop = |c: &[f64]| Stop { colour: [c[0] as u8, c[1] as u8, c[2] as u8], opacity: c[3] };
+        flat.chunks_exact(9)
+            .map(|row| {
+                if row[0] == 0.0 {
+                    Self::Solid(stop(&row[1..5]))
+                } else {
+                    Self::Linear([stop(&row[1..5]), stop(&row[5..])])
+                }
+            })
+            .collect()
+    }
+}
+
 impl Picture {
+    /// Whether every path has a fill, every local one an opening, and the picture a size.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        self.fills.len() == self.n_back + self.n_fore + self.openings.len()
+            && self.openings.iter().all(|&opening| opening < Opening::ALL.len())
+            && self.width > 0.0
+            && self.height > 0.0
+    }
+
     pub(super) fn back(&self) -> Range<usize> {
         0..self.n_back
     }
