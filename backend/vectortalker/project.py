@@ -47,7 +47,7 @@ def pack(file: ProjectFile) -> bytes:
     project = file.project
     archive = io.BytesIO()
     with zipfile.ZipFile(archive, "w") as entries:
-        document = project.model_dump_json(exclude_none=True).encode()
+        document = project.model_dump_json().encode()
         entries.writestr(_entry(DOCUMENT), document, zipfile.ZIP_DEFLATED)
         for name, data in ((project.source, file.source), (project.audio, file.audio)):
             assert (name is None) == (data is None), name
