@@ -5,11 +5,13 @@ import { loadRigModule } from './rig/rig';
 import { App } from './shell/App';
 import { rigModuleReady } from './stage/posing';
 import { report } from './store/notices';
+import { keepPreferences } from './store/preferences';
 import { loadSampleTracks } from './timeline/samples';
 import { loadSamples } from './welcome/samples';
 import './styles/index.css';
 
 async function start(root: HTMLElement): Promise<void> {
+  keepPreferences();
   await startAutosave().catch(report); // before the first paint, so that a reload does not flash the first screen
   render(<App />, root);
   loadSamples().catch(report);

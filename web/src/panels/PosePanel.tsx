@@ -24,7 +24,7 @@ export function PosePanel(): JSX.Element {
 
 function Presets({ disabled }: { readonly disabled: boolean }): JSX.Element {
   return (
-    <div class="presets" role="group" aria-label="Presets">
+    <fieldset class="presets" aria-label="Presets">
       {PRESETS.map(({ name, label, articulators }) => (
         <button
           key={name}
@@ -36,7 +36,7 @@ function Presets({ disabled }: { readonly disabled: boolean }): JSX.Element {
           {label}
         </button>
       ))}
-    </div>
+    </fieldset>
   );
 }
 

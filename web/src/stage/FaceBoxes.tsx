@@ -9,7 +9,7 @@ export function FaceBoxes(): JSX.Element | null {
   const now = session.value;
   if (now.kind !== 'choosing') return null;
   return (
-    <div class="face-boxes" role="group" aria-label="Which face should talk?">
+    <fieldset class="face-boxes" aria-label="Which face should talk?">
       {now.faces.faces.map((face, index) => {
         const [left, top] = toScreen(view.value, stageSize.value, [face.box.x, face.box.y]);
         const { scale } = view.value;
@@ -28,6 +28,6 @@ export function FaceBoxes(): JSX.Element | null {
         );
       })}
       <p class="card stage-question">Which face should talk?</p>
-    </div>
+    </fieldset>
   );
 }

@@ -3,11 +3,13 @@ import type { JSX } from 'preact';
 import { hasEnded } from '../api/events';
 import type { JobState } from '../api/schema';
 import { Button } from '../shell/Button';
-import { connection, job, scene } from '../store/state';
+import { connection, job, scene, session } from '../store/state';
 import { cancelTracing, keepWhatIsThere } from '../store/tracing';
 
 export function Progress(): JSX.Element | null {
   const state = job.value;
+  if (session.value.kind === 'uploading') return <Waiting text="Sending the picture…" />;
+  if (session.value.kind === 'finding') return <Waiting text="Looking for the face…" />;
   if (!state || hasEnded(state)) return null;
   return (
     <section class="progress card" aria-label="Tracing">
@@ -23,6 +25,15 @@ export function Progress(): JSX.Element | null {
         </Button>
       </div>
       <progress class="progress-line" max={1} value={state.progress} aria-label="Progress of the tracing" />
+    </section>
+  );
+}
+
+function Waiting({ text }: { readonly text: string }): JSX.Element {
+  return (
+    <section class="progress card" aria-label="Opening">
+      <strong>{text}</strong>
+      <progress class="progress-line" aria-label={text} />
     </section>
   );
 }

@@ -19,7 +19,7 @@ const REACH = { softRadius: () => softRadius.value, single: () => singlePoint.va
 export function listenToHandleKeys(overlay: SVGSVGElement): () => void {
   for (const group of GROUPS) handleAt(overlay, group.first)?.setAttribute('tabindex', '0');
   const listeners: readonly [string, EventListener][] = [
-    ['focusin', (event) => describe(event.target)],
+    ['focusin', (event) => announceHandle(event.target)],
     ['keydown', (event) => press(overlay, event as KeyboardEvent)],
     ['keyup', (event) => release(event as KeyboardEvent)],
   ];
@@ -46,7 +46,7 @@ function press(overlay: SVGSVGElement, event: KeyboardEvent): void {
 function release(event: KeyboardEvent): void {
   if (!NUDGES[event.key] || landmarkOf(event.target) === null) return;
   settle();
-  describe(event.target);
+  announceHandle(event.target);
 }
 
 function nudge(index: number, direction: Xy, event: KeyboardEvent): void {
@@ -67,7 +67,7 @@ function moveFocus(overlay: SVGSVGElement, index: number, by: number): void {
   handle?.focus();
 }
 
-function describe(target: EventTarget | null): void {
+function announceHandle(target: EventTarget | null): void {
   const index = landmarkOf(target);
   const rest = edit.value.landmarks?.points;
   if (index === null || !rest || !(target instanceof Element)) return;

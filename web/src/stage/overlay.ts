@@ -1,5 +1,6 @@
 /** Draws landmarks, groups, mesh, ghost and glowing triangles over the picture, in screen pixels, so that they keep their size. */
 import { GROUPS, indicesOf, landmarkName, N_LANDMARKS } from '../face/ibug';
+import { outerEyeDistance } from '../face/regions';
 import { distance, type Xy } from '../face/vector';
 import { svgElement } from './svg';
 import { type Size, toScreen, type View } from './view';
@@ -50,6 +51,7 @@ export function createOverlay(): Overlay {
     if (shown.ghost) ghost.setAttribute('d', groupsPath(screen(frame.rest)));
     if (!shown.points) return;
     outline.setAttribute('d', groupsPath(points));
+    root.style.setProperty('--handle', `${handleRadius(points)}px`);
     irises.setAttribute('d', screen(frame.irises).map(crossPath).join(''));
     points.forEach(([x, y], index) => {
       handles[index].setAttribute('transform', `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
@@ -70,7 +72,6 @@ export function describeHandle(element: Element, index: number, point: Xy, rest:
 function handle(index: number): SVGCircleElement {
   return svgElement('circle', {
     class: 'handle',
-    r: '3.5',
     role: 'slider',
     tabindex: '-1',
     'data-landmark': `${index}`,
@@ -80,6 +81,11 @@ function handle(index: number): SVGCircleElement {
     'aria-valuenow': '0',
     'aria-valuetext': 'at rest',
   });
+}
+
+/** Small faces get small handles, so that they stay faces. */
+function handleRadius(screenPoints: readonly Xy[]): number {
+  return Math.min(4, Math.max(1.6, 0.028 * outerEyeDistance(screenPoints)));
 }
 
 function highlighter(handles: readonly SVGCircleElement[]): (index: number | null) => void {

@@ -84,7 +84,7 @@ export function listenToPointers(stage: HTMLElement, options: PointerOptions): (
     settle();
   }
 
-  const escape = (event: KeyboardEvent) => {
+  const cancelOnEscape = (event: KeyboardEvent) => {
     if (event.key === 'Escape' && gesture.kind !== 'idle') advance({ kind: 'cancel' });
   };
   const leave = () => {
@@ -98,7 +98,7 @@ export function listenToPointers(stage: HTMLElement, options: PointerOptions): (
     [stage, 'pointerleave', leave],
     [stage, 'wheel', wheel as EventListener],
     [stage, 'dblclick', doubleClick as EventListener],
-    [window, 'keydown', escape as EventListener],
+    [window, 'keydown', cancelOnEscape as EventListener],
   ];
   for (const [target, name, listener] of listeners) target.addEventListener(name, listener, { passive: false });
   return () => {

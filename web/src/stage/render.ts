@@ -69,7 +69,9 @@ function showFrame(picture: Picture, current: Rig, vertices: Float64Array, isFir
   const changed = isFirst ? picture.paths.keys() : frame.changed;
   for (const index of changed) picture.paths[index].setAttribute('d', frame.d(index));
   const openings = current.openings(vertices);
-  OPENING_NAMES.forEach((name, index) => picture.openings[name].setAttribute('d', openings[index]));
+  OPENING_NAMES.forEach((name, index) => {
+    picture.openings[name].setAttribute('d', openings[index]);
+  });
 }
 
 function drawOverlay(overlay: Overlay): void {

@@ -7,13 +7,16 @@ export type Size = { readonly width: number; readonly height: number };
 export type View = { readonly centre: Xy; readonly scale: number };
 
 export const ZOOM_STEP = 1.25;
-const MARGIN = 24; // screen pixels left free around a fitted portrait
+// Screen pixels left free around a fitted portrait; the options stand above it and the hint below.
+const MARGINS = { top: 60, bottom: 44, side: 24 } as const;
 const MIN_PORTRAIT_ON_SCREEN = 48; // screen pixels of its longer side
 const MAX_SCALE = 64;
 
 export function fitView(portrait: Size, stage: Size): View {
-  const scale = Math.min((stage.width - 2 * MARGIN) / portrait.width, (stage.height - 2 * MARGIN) / portrait.height);
-  return { centre: [portrait.width / 2, portrait.height / 2], scale: limited(scale, portrait) };
+  const free = { width: stage.width - 2 * MARGINS.side, height: stage.height - MARGINS.top - MARGINS.bottom };
+  const scale = limited(Math.min(free.width / portrait.width, free.height / portrait.height), portrait);
+  const below = (MARGINS.top - MARGINS.bottom) / 2 / scale;
+  return { centre: [portrait.width / 2, portrait.height / 2 - below], scale };
 }
 
 /** Zoomed by `factor` so that what lies under `screen` stays there. */

@@ -80,6 +80,12 @@ export function withLandmarks(edit: Edit, landmarks: Landmarks | null): Edit {
   return { ...edit, landmarks };
 }
 
+/** Whether both name the same points; stored copies are other objects. */
+export function areSameLandmarks(a: Landmarks | null, b: Landmarks | null): boolean {
+  if (a === b || !a || !b) return a === b;
+  return a.points.every(([x, y], index) => x === b.points[index][0] && y === b.points[index][1]);
+}
+
 export function withLayer(edit: Edit, name: LayerName, look: LayerLook): Edit {
   return { ...edit, layers: { ...edit.layers, [name]: look } };
 }

@@ -22,7 +22,7 @@ export async function openPicture(picture: Blob, name: string): Promise<void> {
     await takeFaces(faces, posted);
   } catch (error) {
     if (signal.aborted) return;
-    if (!portrait.value) session.value = { kind: 'welcome' };
+    session.value = portrait.value ? { kind: 'editing' } : { kind: 'welcome' };
     report(error);
   }
 }
@@ -35,7 +35,6 @@ export function closePortrait(): void {
 
 /** One of several faces was picked. */
 export async function chooseFace(face: Face): Promise<void> {
-  session.value = { kind: 'editing' };
   await useFace(face);
 }
 
@@ -89,7 +88,7 @@ export function clearStage(): void {
 function show(posted: Portrait, picture: Blob): void {
   portrait.value = { ...posted, picture };
   history.value = historyOf(editOf(nameWithoutEnding(posted.name), null));
-  session.value = { kind: 'editing' };
+  session.value = { kind: 'finding' };
   tool.value = 'pose';
   if (posted.notices.length > 0) tell({ kind: 'advice', text: posted.notices.join(' ') });
 }
@@ -111,6 +110,7 @@ async function takeFaces(faces: readonly Face[], posted: Portrait): Promise<void
 }
 
 async function useFace(face: Face): Promise<void> {
+  session.value = { kind: 'editing' };
   history.value = historyOf(withLandmarks(edit.value, face.landmarks));
   if (face.fit_advised) adviseFit();
   await startTracing();

@@ -23,6 +23,7 @@ export type Pins = readonly [Xy, Xy, Xy, Xy, Xy];
 export type Session =
   | { readonly kind: 'welcome' }
   | { readonly kind: 'uploading'; readonly name: string; readonly picture: Blob }
+  | { readonly kind: 'finding' }
   | { readonly kind: 'choosing'; readonly faces: Faces }
   | { readonly kind: 'pinning'; readonly pins: Pins; readonly noFaceFound: boolean }
   | { readonly kind: 'editing' };

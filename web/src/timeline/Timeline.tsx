@@ -1,9 +1,11 @@
 /** Transport, track menu and the curves of the track on the timeline. */
 import { useComputed } from '@preact/signals';
 import type { JSX } from 'preact';
-import { IconButton } from '../shell/Button';
+import { Button, IconButton } from '../shell/Button';
 import { toggle } from '../store/looking';
 import { canPose, looping, playing, timeSeconds, track } from '../store/state';
+import { useTrack } from '../store/tracks';
+import { demoTrack } from './demo';
 import { type Lane, lanesOf } from './lanes';
 import { rewind, seek, togglePlaying } from './playback';
 import { TrackMenu } from './TrackMenu';
@@ -26,12 +28,19 @@ export function Timeline(): JSX.Element {
         <Clock duration={current?.duration ?? 0} />
         <TrackMenu />
       </div>
-      {current ? (
-        <Lanes key={current.name} disabled={disabled} />
-      ) : (
-        <p class="quiet timeline-empty">Choose a track, or open one: the portrait plays it on top of your pose.</p>
-      )}
+      {current ? <Lanes key={current.name} disabled={disabled} /> : <Invitation />}
     </section>
+  );
+}
+
+function Invitation(): JSX.Element {
+  return (
+    <div class="timeline-empty">
+      <Button disabled={!canPose.value} onClick={() => useTrack(demoTrack())}>
+        Play the demo
+      </Button>
+      <p class="quiet">Blink, smile, speak, tilt. A track plays on top of your pose.</p>
+    </div>
   );
 }
 

@@ -1,5 +1,6 @@
 /** The first screen: one sentence, one place to put a portrait, six samples, and what happens to the picture. */
 import type { JSX } from 'preact';
+import { DetailChoice } from '../panels/DetailChoice';
 import { Button } from '../shell/Button';
 import { Icon } from '../shell/icons';
 import { PICTURES, pickFile } from '../shell/pickFile';
@@ -35,6 +36,7 @@ function DropZone(): JSX.Element {
         </Button>
         <Button onClick={() => void paste()}>Paste</Button>
       </div>
+      <DetailChoice />
       <p class="quiet">PNG, JPEG, WebP, GIF, BMP or TIFF, up to 25 MB</p>
     </section>
   );
