@@ -50,7 +50,7 @@ def vectorize(
     frame = fit(portrait.width, portrait.height, picture.shape[1], picture.shape[0])
     plans = plan(settings, (frame.width, frame.height))
     yield Progress("preparing", 0, settings.levels, 0, 0.0)
-    targets = prepare(portrait, landmarks, picture, frame, settings)
+    targets = prepare(portrait, landmarks, picture, frame, settings, plans)
     start = restore(resume, settings) if resume else Start(empty_population(settings.segments), 0, 0)
     run = optimise(targets.level, plans, settings, start, threads, finish_early)
     while True:

@@ -31,11 +31,13 @@ class Sheet:
 class Level:
     """Targets at one resolution. `sheets` bottom to top, the last is the merged picture.
 
-    `clips` f32 [k, H, W]: coverage of the openings. `scenery` f32 [h, w], at a quarter of the resolution: where fore
-    paths must paint nothing, because they will move and the scenery will not; None without layers.
+    `openings`: outlines [3S, 2] in its px; `clips` f32 [k, H, W]: their coverage. `scenery` f32 [h, w], at a quarter of
+    the resolution: where fore paths must paint nothing, because they will move and the scenery will not; None without
+    layers.
     """
 
     sheets: tuple[Sheet, ...]
+    openings: tuple[NDArray[np.float64], ...]
     clips: NDArray[np.float32]
     scenery: NDArray[np.float32] | None
     canvas: NDArray[np.float32]
@@ -55,4 +57,4 @@ def single_sheet_level(picture: NDArray[np.float32], group: int, canvas: NDArray
     height, width, _ = picture.shape
     ones = np.ones((height, width), np.float32)
     sheet = Sheet(TOP, picture, ones, ones, np.full((height, width), group, np.int64))
-    return Level((sheet,), np.zeros((0, height, width), np.float32), None, canvas)
+    return Level((sheet,), (), np.zeros((0, height, width), np.float32), None, canvas)

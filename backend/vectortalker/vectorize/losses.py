@@ -18,10 +18,9 @@ CONFINEMENT = 0.5  # weight of fore paint over scenery, against 1 for a squared 
 
 @dataclass(frozen=True)
 class Fidelity:
-    """How closely a pass follows what renderers paint: sub-rows a pixel (1, 2, 4), 8-bit rounding, threads (0: all)."""
+    """How closely a pass follows the nonzero rule where paths fold: sub-rows a pixel (1, 2, 4); threads (0: all)."""
 
     subrows: int = 1
-    quantise: bool = False
     threads: int = 0
 
 
@@ -59,19 +58,26 @@ def evaluate(population: Population, level: Level, fidelity: Fidelity, importanc
         subrows=fidelity.subrows,
         threads=fidelity.threads,
         importance=importance,
-        quantise=fidelity.quantise,
     )
     gradients = {"points": grad_points, "stops": grad_stops, "axis": grad_axis}
     return Evaluation(float(np.sum(losses)), image, gradients, gains)
 
 
 def confine_fore(
-    population: Population, scenery: NDArray[np.float32], screen: NDArray[np.float32], threads: int
-) -> dict[str, NDArray[np.float32]]:
-    """Gradients of the fore paths alone over a `screen` colour f32 [3]: whatever they change over scenery is error."""
+    population: Population,
+    scenery: NDArray[np.float32],
+    screen: NDArray[np.float32],
+    weight: float,
+    threads: int,
+    gradients: dict[str, NDArray[np.float32]],
+) -> None:
+    """Add to `gradients` what keeps fore paths off the scenery.
+
+    The fore paths alone are painted over a `screen` colour f32 [3]: whatever they change where `scenery` [h, w] is 1 is
+    error. With another random screen every time, no colour is a hiding place.
+    """
     fore = slice(population.below(FORE), population.below(FIRST_LOCAL))
     height, width = scenery.shape
-    target = np.broadcast_to(screen, (height, width, 3)).astype(np.float32)
     scale = np.float32(SCENERY_SCALE)
     _, _, grad_points, grad_stops, grad_axis, _ = core.loss_and_gradients(
         population.points[fore] * scale,
@@ -81,10 +87,12 @@ def confine_fore(
         np.full(fore.stop - fore.start, -1, np.int32),
         np.zeros((0, height, width), np.float32),
         screen,
-        [(fore.stop - fore.start, target, scenery)],
+        [(fore.stop - fore.start, np.tile(screen, (height, width, 1)), scenery * np.float32(CONFINEMENT * weight))],
         threads=threads,
     )
-    return {"points": grad_points * scale, "stops": grad_stops, "axis": grad_axis * scale}
+    gradients["points"][fore] += grad_points * scale
+    gradients["stops"][fore] += grad_stops
+    gradients["axis"][fore] += grad_axis * scale
 
 
 def picture_below(population: Population, level: Level, group: int, fidelity: Fidelity) -> NDArray[np.float32]:

@@ -9,10 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vectortalker.vectorize.level import Level
-from vectortalker.vectorize.losses import Fidelity, evaluate
+from vectortalker.vectorize.losses import Fidelity, confine_fore, evaluate
 from vectortalker.vectorize.options import Settings
+from vectortalker.vectorize.painted import compensate
 from vectortalker.vectorize.population import Population, move, rescale, take
-from vectortalker.vectorize.schedule import RECIPES, Ingredients, LevelPlan, decay
+from vectortalker.vectorize.schedule import LEAST_RADIUS, RECIPES, Ingredients, LevelPlan, decay
 from vectortalker.vectorize.seeding import seed
 
 REPORT_EVERY = 10  # iterations; a cancelled job stops within a tenth of a second
@@ -21,7 +22,7 @@ REALLOCATE_EVERY = 50
 LEAST_IMPORTANCE = 0.25  # paths under this share of the mean importance are moved …
 MOST_MOVED = 0.08  # … at most this share of all at a time
 REALLOCATED_RADIUS = 0.8  # of the level's
-CONFINE_EVERY = 2  # iterations; its weight makes up for the rest
+CONFINE_EVERY = 2  # iterations; the weight makes up for those left out
 
 
 @dataclass(frozen=True)
@@ -68,19 +69,18 @@ def optimise(
             population, level, missing, level_plan.radius, ingredients, settings.fills == "gradient", generator
         )
         yield Step(population, index, done, picture=index > 0, level_done=False)
+        fitted = level
+        compensations = {round(share * level_plan.iterations) for share in ingredients.compensate}
         for i in range(1, level_plan.iterations + 1):
-            polish = last and i > level_plan.iterations * (1 - ingredients.polish)
-            moving = i % REALLOCATE_EVERY == 0 and (not last or i < ingredients.reallocate * level_plan.iterations)
-            population = _iterate(
-                population,
-                level,
-                settings,
-                ingredients,
+            iteration = _Iteration(
+                i,
                 decay(done, total, ingredients.decay_from),
-                Fidelity(4, True, threads) if polish else Fidelity(1, False, threads),
-                level_plan.radius * REALLOCATED_RADIUS if moving and ingredients.reallocate else None,
-                generator,
+                _fidelity(ingredients, i, level_plan.iterations, last, threads),
+                _moved_radius(ingredients, i, level_plan, last),
             )
+            if last and i in compensations:
+                fitted = compensate(level, population, iteration.fidelity)
+            population = _iterate(population, fitted, settings, iteration, generator)
             done += 1
             if i % REPORT_EVERY == 0 or i == level_plan.iterations:
                 finished = i == level_plan.iterations
@@ -91,26 +91,49 @@ def optimise(
     return step
 
 
+def _fidelity(ingredients: Ingredients, i: int, iterations: int, last: bool, threads: int) -> Fidelity:
+    polish = last and i > iterations * (1 - ingredients.polish)
+    return Fidelity(4 if polish else 1, threads)
+
+
+def _moved_radius(ingredients: Ingredients, i: int, level_plan: LevelPlan, last: bool) -> float | None:
+    """Radius for paths that are re-allocated after iteration `i`; None where nothing is to be moved."""
+    until = ingredients.reallocate * level_plan.iterations if last else level_plan.iterations
+    due = ingredients.reallocate > 0 and i % REALLOCATE_EVERY == 0 and i < until
+    return max(LEAST_RADIUS, REALLOCATED_RADIUS * level_plan.radius) if due else None
+
+
+@dataclass(frozen=True)
+class _Iteration:
+    """One iteration's place in the schedule: `rate` factor, `fidelity`, radius for re-allocated paths or None."""
+
+    number: int
+    rate: float
+    fidelity: Fidelity
+    moved_radius: float | None
+
+
 def _iterate(
     population: Population,
     level: Level,
     settings: Settings,
-    ingredients: Ingredients,
-    rate: float,
-    fidelity: Fidelity,
-    moved_radius: float | None,
+    iteration: _Iteration,
     generator: np.random.Generator,
 ) -> Population:
-    """One step of Adam and, if `moved_radius` is given, a re-allocation of the least important paths after it."""
-    result = evaluate(population, level, fidelity, importance=moved_radius is not None)
-    gradients = result.gradients
-    move(population, gradients, ingredients.rates.scaled(rate), level.frame, settings.opaque)
-    if moved_radius is None or result.importance is None:
+    """One step of Adam and, where the schedule says so, a re-allocation of the least important paths after it."""
+    ingredients = RECIPES[settings.recipe]
+    moving = iteration.moved_radius is not None
+    result = evaluate(population, level, iteration.fidelity, importance=moving)
+    if level.scenery is not None and iteration.number % CONFINE_EVERY == 0:
+        screen = generator.random(3, dtype=np.float32)
+        confine_fore(population, level.scenery, screen, CONFINE_EVERY, iteration.fidelity.threads, result.gradients)
+    move(population, result.gradients, ingredients.rates.scaled(iteration.rate), level.frame, settings.opaque)
+    if iteration.moved_radius is None or result.importance is None:
         return population
     weak = least_important(result.importance)
     kept = take(population, np.setdiff1d(np.arange(len(population)), weak))
     gradient = settings.fills == "gradient"
-    return seed(kept, level, len(weak), moved_radius, ingredients, gradient, generator)
+    return seed(kept, level, len(weak), iteration.moved_radius, ingredients, gradient, generator)
 
 
 def least_important(importance: NDArray[np.float64]) -> NDArray[np.int64]:

@@ -16,7 +16,7 @@ def coherent_energy(residual: NDArray[np.float32], weight: NDArray[np.float32], 
     Texture averages out; an area of one wrong colour stays.
     """
     side = 2 * max(0, round(BLUR * radius)) + 1
-    mean = uniform_filter(residual * weight[..., None], size=(side, side, 1), mode="constant")
+    mean = uniform_filter(residual * weight[..., None], size=side, axes=(0, 1), mode="constant")
     return np.einsum("hwc,hwc->hw", mean, mean)
 
 

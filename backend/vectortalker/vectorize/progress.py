@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from vectortalker import schema
@@ -21,7 +21,7 @@ class Checkpoint:
     level: int
     iterations: int
     settings: str
-    arrays: dict[str, NDArray[np.generic]]
+    arrays: dict[str, NDArray[Any]]
 
 
 @dataclass(frozen=True)

@@ -76,7 +76,8 @@ def contour_start(
         return circle_start(target, centre, radius, segments)
     along = gaussian_filter(error @ (direction / strength), max(0.5, COMPONENT_BLUR * radius), mode="nearest")
     level = COMPONENT_LEVEL * strength
-    labels, _ = label(along > level)
+    labels = np.zeros(along.shape, np.int32)
+    label(along > level, output=labels)
     own = labels[centre[1] - y0, centre[0] - x0]
     component = labels == own
     if own == 0 or np.count_nonzero(component) < MIN_COMPONENT:
