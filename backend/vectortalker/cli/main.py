@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import importlib
 import sys
-from collections.abc import Sequence
 
 from vectortalker.errors import ErrorCode, VectorTalkerError
 
@@ -21,7 +20,7 @@ class _Parser(argparse.ArgumentParser):
         self.exit(2, f"{self.prog}: {message}\n")
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
+def main(arguments: list[str] | None = None) -> int:
     """Run one command; its exit code."""
     parser = _Parser(prog="vectortalker", description="Portraits of any style become layered SVGs that talk.")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
@@ -30,6 +29,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         command = commands.add_parser(name, help=module.__doc__, description=module.__doc__)
         module.add_arguments(command)
         command.set_defaults(run=module.run)
+    commands.add_parser("bench", help="Print the benchmark tables.", add_help=False)
+    arguments = sys.argv[1:] if arguments is None else arguments
+    if arguments[:1] == ["bench"]:
+        return _bench(arguments[1:])
     options = parser.parse_args(arguments)
     try:
         return options.run(options) or 0
@@ -39,3 +42,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("vectortalker: interrupted", file=sys.stderr)
         return INTERRUPTED
+
+
+def _bench(arguments: list[str]) -> int:
+    """The benchmarks have a parser of their own."""
+    from vectortalker.bench.__main__ import main as bench
+
+    return bench(arguments)

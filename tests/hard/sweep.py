@@ -1,0 +1,120 @@
+"""Every file of the hard set through the command line, one process each; writes docs/robustness.md.
+
+Run by hand, with the development data beside the repository: `.venv/bin/python tests/hard/sweep.py`.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+REPOSITORY = Path(__file__).parents[2]
+SHARED = Path(os.environ.get("VECTORTALKER_SHARED", REPOSITORY.parent / "shared"))
+COMMAND = REPOSITORY / ".venv" / "bin" / "vectortalker"
+SMALL = ["--paths", "48", "--levels", "2", "--iterations", "15", "--final-iterations", "15", "--working-size", "256"]
+LIMIT_SECONDS = 120
+LIMIT_MEGABYTES = 2000
+
+
+@dataclass(frozen=True)
+class Outcome:
+    name: str
+    exit_code: int
+    stderr: str
+    seconds: float
+    megabytes: float  # most memory held at once
+    faces: int | None
+    psnr: float | None
+
+    @property
+    def is_sensible(self) -> bool:
+        """A result, or one clear line and exit code 2; in time, within memory, without a traceback."""
+        said = self.exit_code == 0 or (self.exit_code == 2 and self.stderr.count("\n") == 1)
+        within = self.seconds < LIMIT_SECONDS and self.megabytes < LIMIT_MEGABYTES
+        return said and within and "Traceback" not in self.stderr
+
+
+def sweep(folder: Path) -> Iterable[Outcome]:
+    for path in sorted(folder.iterdir()):
+        with tempfile.TemporaryDirectory() as out:
+            yield _outcome(path, Path(out))
+
+
+def _outcome(path: Path, out: Path) -> Outcome:
+    faces = out / "faces.json"
+    subprocess.run([COMMAND, "landmarks", path, "-o", faces], capture_output=True, timeout=LIMIT_SECONDS)
+    metrics = out / "metrics.json"
+    began = time.monotonic()
+    arguments = [COMMAND, "vectorize", path, "-o", out / "out.svg", "--metrics", metrics, *SMALL]
+    process = subprocess.Popen(["timeout", str(LIMIT_SECONDS), *map(str, arguments)], stderr=subprocess.PIPE, text=True)
+    assert process.stderr is not None
+    stderr = process.stderr.read()
+    _, status, usage = os.wait4(process.pid, 0)
+    return Outcome(
+        name=path.name,
+        exit_code=os.waitstatus_to_exitcode(status),
+        stderr=stderr.replace(f"{path.parent}/", ""),
+        seconds=time.monotonic() - began,
+        megabytes=usage.ru_maxrss / 1000,
+        faces=len(json.loads(faces.read_text())["faces"]) if faces.exists() else None,
+        psnr=json.loads(metrics.read_text())["psnr"] if metrics.exists() else None,
+    )
+
+
+def report(outcomes: list[Outcome]) -> str:
+    """Markdown: refused files with their message, the rest with what came out."""
+    refused = [outcome for outcome in outcomes if outcome.exit_code != 0]
+    done = [outcome for outcome in outcomes if outcome.exit_code == 0]
+    odd = [outcome.name for outcome in outcomes if not outcome.is_sensible]
+    lines = [
+        "# Robustness",
+        "",
+        f"{len(outcomes)} hard files, each by one process of `vectortalker vectorize {' '.join(SMALL)}`",
+        f"(`tests/hard/sweep.py`): {len(done)} give a picture, {len(refused)} are refused. Files that give neither a",
+        f"picture nor exit code 2 with one line, or take more than {LIMIT_SECONDS} s or {LIMIT_MEGABYTES} MB:",
+        f"{', '.join(odd) or 'none'}.",
+        "",
+        "Few paths keep the sweep short: PSNR here is a sign of life, no measure of quality. Seconds are wall time on",
+        "two cores that were busy with other work; memory is the most that the process held.",
+        "",
+        "## Refused",
+        "",
+        "| file | message | s | MB |",
+        "|---|---|---|---|",
+        *(f"| {o.name} | {_message(o)} | {o.seconds:.1f} | {o.megabytes:.0f} |" for o in refused),
+        "",
+        "## Vectorised",
+        "",
+        "| file | faces found | PSNR, dB | s | MB |",
+        "|---|---|---|---|---|",
+        *(f"| {o.name} | {o.faces} | {o.psnr:.1f} | {o.seconds:.1f} | {o.megabytes:.0f} |" for o in done),
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _message(outcome: Outcome) -> str:
+    return outcome.stderr.strip().removeprefix("vectortalker: ").replace("|", "\\|")
+
+
+def main() -> int:
+    outcomes = []
+    for outcome in sweep(SHARED / "data" / "hard"):
+        mark = "" if outcome.is_sensible else "  ← not sensible"
+        print(
+            f"{outcome.name}: {outcome.exit_code}, {outcome.seconds:.1f} s, {outcome.megabytes:.0f} MB{mark}",
+            flush=True,
+        )
+        outcomes.append(outcome)
+    (REPOSITORY / "docs" / "robustness.md").write_text(report(outcomes), encoding="utf-8")
+    return 0 if all(outcome.is_sensible for outcome in outcomes) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
