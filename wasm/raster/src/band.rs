@@ -1,13 +1,15 @@
 //! Forward and backward pass over one band of rows, while it is in cache.
 
-use crate::composite::{Rgb, Upstream, blend, quantise, unblend};
+use crate::blend::{self, blend, quantise};
 use crate::cover::{Call, Cover};
 use crate::fill::FillGradient;
 use crate::gradient::add_path;
-use crate::resolve::Overlap;
+use crate::saturate::{Overlap, overlap, resolve};
 use crate::scene::{Frame, Objective};
 use crate::seam::Seam;
+use crate::shade::Rgb;
 use crate::transpose;
+use crate::unblend::{self, removal, unblend};
 use crate::walk::{Lane, ROWS};
 
 /// Gradients of the paths of one band, tile by tile from the top of the stack.
@@ -21,11 +23,11 @@ pub struct BandGradient {
     pub fills: Vec<FillGradient>,
 }
 
-/// Buffers of a worker, reused from band to band.
+/// Buffers of a worker, reused from band to band; `S` sub-rows a pixel.
 #[derive(Debug, Default)]
-pub struct Band {
-    cover: Cover,
-    /// The colour below every tile, as coverage is stored.
+pub struct Band<const S: usize> {
+    cover: Cover<S>,
+    /// The colour below every tile, column by column.
     below: Vec<Rgb>,
     picture: Vec<Rgb>,
     grad: Vec<Rgb>,
@@ -33,7 +35,7 @@ pub struct Band {
     seams: Vec<Seam>,
 }
 
-impl Band {
+impl<const S: usize> Band<S> {
     /// Composites the band at row `top` into `rows [≤ ROWS, width, 3]`.
     pub fn rasterize(&mut self, call: &Call<'_>, top: usize, rows: &mut [f32]) {
         self.begin(call, top);
@@ -64,26 +66,26 @@ impl Band {
         gradient
     }
 
-    /// Coverage of all paths, the last one's where they lie over each other, into `rows [≤ ROWS, width]`.
-    pub fn coverage(&mut self, call: &Call<'_>, top: usize, rows: &mut [f32]) {
-        self.cover.fill(call, top);
-        let mut columns = vec![[0.0; ROWS]; call.frame.width];
-        for tile in &self.cover.tiles {
-            columns[tile.across()].copy_from_slice(&self.cover.coverage[tile.storage.clone()]);
-        }
-        transpose::write(&columns, call.frame.width, rows);
-    }
-
-    /// How often every path of the band lies over itself, path by path.
+    /// How every path of the band lies over itself, path by path.
     pub fn overlaps(&mut self, call: &Call<'_>, top: usize) -> Vec<(usize, Overlap)> {
         self.cover.fill(call, top);
-        self.cover.overlaps(call.frame)
+        let height = ROWS.min(call.frame.height - top);
+        let mut found = Vec::new();
+        for i in 0..self.cover.tiles.len() {
+            let (columns, _) = self.cover.columns(i);
+            let mut running = [[0.0; ROWS]; S];
+            for column in columns.iter_mut() {
+                resolve(&mut running, column);
+            }
+            let measured = overlap(columns, height);
+            found.push((self.cover.tiles[i].path, measured));
+        }
+        found
     }
 
     fn begin(&mut self, call: &Call<'_>, top: usize) {
         self.cover.fill(call, top);
-        self.below
-            .resize(self.cover.coverage.len(), [[0.0; ROWS]; 3]);
+        self.below.resize(self.cover.stored(), [[0.0; ROWS]; 3]);
         self.picture.clear();
         self.picture
             .resize(call.frame.width, call.frame.canvas.map(|v| [v; ROWS]));
@@ -98,18 +100,22 @@ impl Band {
 
     fn blend_tile(&mut self, call: &Call<'_>, i: usize) {
         let tile = &self.cover.tiles[i];
-        let place = tile.place(self.cover.top);
-        let coverage = &self.cover.coverage[tile.storage.clone()];
-        let picture = &mut self.picture[tile.across()];
+        let (fill, place) = (tile.fill(call.paths), tile.place(self.cover.top));
+        let (across, storage) = (tile.across(), tile.storage.clone());
+        let (winding, mask) = self.cover.columns(i);
+        let picture = &mut self.picture[across.clone()];
         blend(
-            &tile.fill(call.paths),
+            &fill,
             place,
-            coverage,
-            picture,
-            &mut self.below[tile.storage.clone()],
+            blend::Columns {
+                winding,
+                mask,
+                picture,
+                below: &mut self.below[storage],
+            },
         );
         if call.frame.quantise {
-            quantise(picture);
+            quantise(&mut self.picture[across]);
         }
     }
 
@@ -144,49 +150,47 @@ impl Band {
         losses
     }
 
-    /// Goes down the stack: turns coverage into its gradient and takes the gradients of fills.
+    /// Goes down the stack: turns windings into their gradients and takes the gradients of fills.
     fn unblend_tiles(&mut self, call: &Call<'_>, importance: bool, out: &mut BandGradient) {
         self.grad.clear();
         self.grad.resize(call.frame.width, [[0.0; ROWS]; 3]);
         self.curvature.clear();
         self.curvature.resize(call.frame.width, [0.0; ROWS]);
         let mut seam = self.seams.len();
-        for tile in self.cover.tiles.iter().rev() {
+        for i in (0..self.cover.tiles.len()).rev() {
+            let tile = &self.cover.tiles[i];
             while seam > 0 && self.seams[seam - 1].below > tile.path {
                 seam -= 1;
                 self.seams[seam].join(&mut self.grad, &mut self.curvature);
             }
-            let coverage = &mut self.cover.coverage[tile.storage.clone()];
-            let curvature = importance.then_some(&mut self.curvature[tile.across()]);
-            let upstream = Upstream {
-                grad: &mut self.grad[tile.across()],
-                curvature,
+            let (fill, place) = (tile.fill(call.paths), tile.place(self.cover.top));
+            let (path, across, storage) = (tile.path, tile.across(), tile.storage.clone());
+            let (winding, mask) = self.cover.columns(i);
+            let grad = &mut self.grad[across.clone()];
+            let columns = unblend::Columns {
+                winding,
+                mask,
+                below: &self.below[storage],
+                grad,
             };
-            let place = tile.place(self.cover.top);
-            let below = &self.below[tile.storage.clone()];
-            out.fills.push(unblend(
-                &tile.fill(call.paths),
-                place,
-                coverage,
-                below,
-                upstream,
-            ));
-            out.paths.push(tile.path);
+            let importance = if importance {
+                removal(&fill, place, &columns, &mut self.curvature[across])
+            } else {
+                0.0
+            };
+            out.fills.push(FillGradient {
+                importance,
+                ..unblend(&fill, place, columns)
+            });
+            out.paths.push(path);
         }
-        self.cover.apply_clips(call);
     }
 
-    fn differentiate_outlines(&mut self, call: &Call<'_>, out: &mut BandGradient) {
-        self.cover.grad_winding(call.frame.subrows);
+    fn differentiate_outlines(&self, call: &Call<'_>, out: &mut BandGradient) {
         let stride = call.paths.segments * 6;
         out.points.resize(self.cover.tiles.len() * stride, 0.0);
-        for (tile, grad_points) in self
-            .cover
-            .tiles
-            .iter()
-            .rev()
-            .zip(out.points.chunks_exact_mut(stride))
-        {
+        let tiles = self.cover.tiles.iter().rev();
+        for (tile, grad_points) in tiles.zip(out.points.chunks_exact_mut(stride)) {
             add_path(call.chords, &self.cover.boundary(tile), grad_points);
         }
     }

@@ -1,12 +1,11 @@
-//! Turns the outlines that touch a band into tiles of coverage.
+//! Turns the outlines that touch a band into tiles of winding.
 
 use crate::clip::{Columns, Piece, Window, clip_path};
-use crate::composite::Place;
 use crate::fill::Fill;
 use crate::flatten::Chords;
 use crate::gradient::Boundary;
-use crate::resolve::{self, Overlap, resolve};
 use crate::scene::{Frame, Paths};
+use crate::shade::Place;
 use crate::transpose;
 use crate::walk::{Grid, Lane, Passage, ROWS};
 use std::ops::Range;
@@ -23,26 +22,14 @@ pub struct Call<'a> {
 #[derive(Debug)]
 pub struct Tile {
     pub path: usize,
-    pub columns: Columns,
-    pub pieces: Range<usize>,
-    /// Lanes of the winding buffer: `(columns + 1) · subrows`.
+    columns: Columns,
+    pieces: Range<usize>,
+    /// Columns of the winding buffer, one more than the tile has.
     winding: Range<usize>,
-    /// Lanes of the coverage buffer, one a column.
+    /// Columns of buffers that have no spare one.
     pub storage: Range<usize>,
-}
-
-/// Tiles of a band in painter's order, with the buffers that they index.
-#[derive(Debug, Default)]
-pub struct Cover {
-    pub top: usize,
-    pub tiles: Vec<Tile>,
-    pub pieces: Vec<Piece>,
-    pub passages: Vec<Passage>,
-    /// First passage of each piece, and the end of the last one's.
-    pub passage_starts: Vec<usize>,
-    winding: Vec<Lane>,
-    /// Coverage times clip mask; the backward pass turns it into its gradient.
-    pub coverage: Vec<Lane>,
+    /// Columns of the mask buffer, if the path is clipped.
+    mask: Option<Range<usize>>,
 }
 
 impl Tile {
@@ -68,66 +55,130 @@ impl Tile {
     }
 }
 
-impl Cover {
-    /// Clips, walks and resolves all paths of the band at row `top`.
+/// Tiles of a band in painter's order, with the buffers that they index; `S` sub-rows a pixel.
+#[derive(Debug)]
+pub struct Cover<const S: usize> {
+    pub top: usize,
+    pub tiles: Vec<Tile>,
+    pieces: Vec<Piece>,
+    passages: Vec<Passage>,
+    /// First passage of each piece, and the end of the last one's.
+    passage_starts: Vec<usize>,
+    winding: Vec<[Lane; S]>,
+    masks: Vec<Lane>,
+}
+
+impl<const S: usize> Default for Cover<S> {
+    fn default() -> Self {
+        Self {
+            top: 0,
+            tiles: Vec::new(),
+            pieces: Vec::new(),
+            passages: Vec::new(),
+            passage_starts: Vec::new(),
+            winding: Vec::new(),
+            masks: Vec::new(),
+        }
+    }
+}
+
+impl<const S: usize> Cover<S> {
+    /// Clips and walks all paths of the band at row `top`.
     pub fn fill(&mut self, call: &Call<'_>, top: usize) {
         self.top = top;
         self.place_tiles(call);
-        self.walk_tiles(call.frame.subrows);
-        for tile in &self.tiles {
-            let winding = &mut self.winding[tile.winding.clone()];
-            let coverage = &mut self.coverage[tile.storage.clone()];
-            match call.frame.subrows {
-                1 => resolve::<1>(winding, coverage),
-                2 => resolve::<2>(winding, coverage),
-                _ => resolve::<4>(winding, coverage),
-            }
+        self.walk_tiles();
+    }
+
+    /// Columns of storage that all tiles take.
+    pub fn stored(&self) -> usize {
+        self.tiles.last().map_or(0, |tile| tile.storage.end)
+    }
+
+    /// Winding columns of a tile, without the spare one, and its mask.
+    pub fn columns(&mut self, tile: usize) -> (&mut [[Lane; S]], Option<&[Lane]>) {
+        let tile = &self.tiles[tile];
+        let winding = &mut self.winding[tile.winding.start..tile.winding.end - 1];
+        (winding, tile.mask.clone().map(|mask| &self.masks[mask]))
+    }
+
+    /// A tile's pieces, once its windings are gradients.
+    pub fn boundary(&self, tile: &Tile) -> Boundary<'_> {
+        Boundary {
+            pieces: &self.pieces[tile.pieces.clone()],
+            starts: &self.passage_starts[tile.pieces.start..=tile.pieces.end],
+            passages: &self.passages,
+            grad_winding: self.winding.as_flattened().as_flattened(),
         }
-        self.apply_clips(call);
     }
 
     fn place_tiles(&mut self, call: &Call<'_>) {
         self.tiles.clear();
         self.pieces.clear();
+        self.masks.clear();
         let window = Window {
             top: self.top,
             width: call.frame.width,
-            subrows: call.frame.subrows,
+            subrows: S,
         };
-        let (mut lanes, mut stored) = (0, 0);
+        let (mut wound, mut stored) = (0, 0);
         for path in 0..call.paths.len() {
             let first = self.pieces.len();
             let Some(columns) = clip_path(call.chords, path, window, &mut self.pieces) else {
                 continue;
             };
             let width = columns.last - columns.first;
-            let storage = stored..stored + width;
-            let winding = lanes..lanes + (width + 1) * window.subrows;
-            (lanes, stored) = (winding.end, storage.end);
+            let pieces = first..self.pieces.len();
+            let (winding, storage) = (wound..wound + width + 1, stored..stored + width);
+            (wound, stored) = (winding.end, storage.end);
+            let mask = self.read_mask(call, path, columns);
             self.tiles.push(Tile {
                 path,
                 columns,
-                pieces: first..self.pieces.len(),
+                pieces,
                 winding,
                 storage,
+                mask,
             });
         }
         self.winding.clear();
-        self.winding.resize(lanes, [0.0; ROWS]);
-        self.coverage.resize(stored, [0.0; ROWS]);
+        self.winding.resize(wound, [[0.0; ROWS]; S]);
     }
 
-    fn walk_tiles(&mut self, subrows: usize) {
+    /// Copies a tile's part of its path's clip mask.
+    fn read_mask(
+        &mut self,
+        call: &Call<'_>,
+        path: usize,
+        columns: Columns,
+    ) -> Option<Range<usize>> {
+        let (width, pixels) = (call.frame.width, call.frame.width * call.frame.height);
+        let mask = usize::try_from(call.paths.clip[path]).ok()?;
+        let first = self.masks.len();
+        self.masks
+            .resize(first + columns.last - columns.first, [0.0; ROWS]);
+        let image = &call.frame.clips[mask * pixels..][..pixels];
+        transpose::read(
+            image,
+            width,
+            self.top,
+            columns.first,
+            &mut self.masks[first..],
+        );
+        Some(first..self.masks.len())
+    }
+
+    fn walk_tiles(&mut self) {
         self.passages.clear();
         self.passage_starts.clear();
         for tile in &self.tiles {
-            let cells = self.winding[tile.winding.clone()].as_flattened_mut();
-            let base = (tile.winding.start * ROWS) as u32;
             let mut grid = Grid {
-                cells,
-                base,
+                cells: self.winding[tile.winding.clone()]
+                    .as_flattened_mut()
+                    .as_flattened_mut(),
+                base: (tile.winding.start * S * ROWS) as u32,
                 columns: tile.columns,
-                shift: subrows.trailing_zeros(),
+                shift: S.trailing_zeros(),
             };
             for piece in &self.pieces[tile.pieces.clone()] {
                 self.passage_starts.push(self.passages.len());
@@ -135,71 +186,5 @@ impl Cover {
             }
         }
         self.passage_starts.push(self.passages.len());
-    }
-
-    /// Multiplies clipped tiles' coverage, or its gradient, by their masks.
-    pub fn apply_clips(&mut self, call: &Call<'_>) {
-        let (width, pixels) = (call.frame.width, call.frame.width * call.frame.height);
-        let mut columns = Vec::new();
-        for tile in &self.tiles {
-            let Ok(mask) = usize::try_from(call.paths.clip[tile.path]) else {
-                continue;
-            };
-            columns.resize(width, [0.0; ROWS]);
-            transpose::read(
-                &call.frame.clips[mask * pixels..(mask + 1) * pixels],
-                width,
-                self.top,
-                &mut columns,
-            );
-            for (lane, clip) in self.coverage[tile.storage.clone()]
-                .iter_mut()
-                .zip(&columns[tile.columns.first..])
-            {
-                for l in 0..ROWS {
-                    lane[l] *= clip[l];
-                }
-            }
-        }
-    }
-
-    /// Turns windings into gradients by them, once `coverage` holds gradients.
-    pub fn grad_winding(&mut self, subrows: usize) {
-        for tile in &self.tiles {
-            let winding = &mut self.winding[tile.winding.clone()];
-            let grad = &self.coverage[tile.storage.clone()];
-            match subrows {
-                1 => resolve::grad_winding::<1>(winding, grad),
-                2 => resolve::grad_winding::<2>(winding, grad),
-                _ => resolve::grad_winding::<4>(winding, grad),
-            }
-        }
-    }
-
-    /// A tile's pieces, once `grad_winding` has run.
-    pub fn boundary(&self, tile: &Tile) -> Boundary<'_> {
-        Boundary {
-            pieces: &self.pieces[tile.pieces.clone()],
-            starts: &self.passage_starts[tile.pieces.start..=tile.pieces.end],
-            passages: &self.passages,
-            grad_winding: self.winding.as_flattened(),
-        }
-    }
-
-    /// How often every path of the band lies over itself, path by path.
-    pub fn overlaps(&self, frame: &Frame<'_>) -> Vec<(usize, Overlap)> {
-        let height = ROWS.min(frame.height - self.top);
-        let of = |tile: &Tile| {
-            resolve::overlap(
-                &self.winding[tile.winding.clone()],
-                frame.subrows,
-                tile.storage.len(),
-                height,
-            )
-        };
-        self.tiles
-            .iter()
-            .map(|tile| (tile.path, of(tile)))
-            .collect()
     }
 }

@@ -124,4 +124,12 @@ impl Moments {
         ex: [0.0; ROWS],
         es: [0.0; ROWS],
     };
+
+    /// Adds one pixel of row `l`, at `x` and `position`.
+    #[inline(always)]
+    pub fn add(&mut self, l: usize, e: f32, x: f32, position: f32) {
+        self.e[l] += e;
+        self.ex[l] += e * x;
+        self.es[l] += e * position;
+    }
 }

@@ -26,7 +26,7 @@ pub struct Chords {
     pub path_rows: Vec<(f32, f32)>,
 }
 
-/// Flattens every segment at `t = k/n`, `n` by Wang's bound on the distance between a cubic and its chords.
+/// Flattens every segment at `t = k/n`, `n` by how far the chords may stray from the cubic.
 pub fn flatten(paths: &Paths<'_>) -> Chords {
     let stride = paths.segments * 6;
     let mut chords = Chords {
@@ -58,8 +58,8 @@ fn cubic(ring: &[f32], j: usize) -> [[f32; 2]; 4] {
 }
 
 fn push_segment(chords: &mut Chords, p: [[f32; 2]; 4]) {
-    let n = n_chords(&p);
     let [x, y] = [0, 1].map(|axis| power_basis(p.map(|q| q[axis])));
+    let n = n_chords(x, y);
     let step = 1.0 / n as f32;
     let (mut low, mut high) = (p[0][1].min(p[3][1]), p[0][1].max(p[3][1]));
     chords.start.push(chords.x.len() as u32);
@@ -77,18 +77,24 @@ fn push_segment(chords: &mut Chords, p: [[f32; 2]; 4]) {
     chords.segment_rows.push((low, high));
 }
 
-/// Wang's bound: `n = √(6·M / (8·tolerance))`, `M` the larger second difference of the control points.
-fn n_chords(p: &[[f32; 2]; 4]) -> u32 {
-    let bend = |a: [f32; 2], b: [f32; 2], c: [f32; 2]| {
-        let d = [0, 1].map(|k| a[k] - 2.0 * b[k] + c[k]);
-        d[0] * d[0] + d[1] * d[1]
-    };
-    let m = bend(p[0], p[1], p[2]).max(bend(p[1], p[2], p[3])).sqrt();
-    (0.75 / TOLERANCE * m)
+/// A chord over `1/n` of a curve strays by `|P''⊥| / 8n²`; the normal part of `P''` is taken at five parameters.
+fn n_chords(x: [f32; 4], y: [f32; 4]) -> u32 {
+    let mut most = 0.0_f32;
+    for t in [0.0, 0.25, 0.5, 0.75, 1.0] {
+        let velocity = [x, y].map(|c| (3.0 * c[3] * t + 2.0 * c[2]) * t + c[1]);
+        let acceleration = [x, y].map(|c| 6.0 * c[3] * t + 2.0 * c[2]);
+        let cross = velocity[0] * acceleration[1] - velocity[1] * acceleration[0];
+        let speed = velocity[0] * velocity[0] + velocity[1] * velocity[1];
+        most = most.max(cross * cross / speed.max(STANDSTILL));
+    }
+    (most.sqrt() / (8.0 * TOLERANCE))
         .sqrt()
         .ceil()
         .clamp(LEAST_CHORDS, MOST_CHORDS) as u32
 }
+
+/// Squared speed below which a curve has no direction.
+const STANDSTILL: f32 = 1e-6;
 
 fn power_basis(p: [f32; 4]) -> [f32; 4] {
     let c1 = 3.0 * (p[1] - p[0]);

@@ -8,24 +8,26 @@
 #![allow(clippy::needless_range_loop)]
 
 mod band;
+mod blend;
 mod clip;
-mod composite;
 mod cover;
 mod error;
 mod fill;
 mod flatten;
 mod gradient;
-mod resolve;
+mod saturate;
 mod scene;
 mod seam;
+mod shade;
 mod threads;
 mod transpose;
+mod unblend;
 mod walk;
 
 use band::{Band, BandGradient};
 use cover::Call;
 pub use error::Error;
-pub use resolve::Overlap;
+pub use saturate::Overlap;
 pub use scene::{
     Checkpoint, Frame, MAX_COORDINATE, MAX_PATHS, MAX_SEGMENTS, MAX_SIDE, Objective, Paths,
 };
@@ -49,18 +51,25 @@ pub struct Gradients {
 pub fn rasterize(paths: &Paths<'_>, frame: &Frame<'_>, threads: usize) -> Result<Vec<f32>, Error> {
     frame.check()?;
     paths.check(frame)?;
-    let chords = flatten::flatten(paths);
     let call = Call {
         paths,
         frame,
-        chords: &chords,
+        chords: &flatten::flatten(paths),
     };
-    let mut image = vec![0.0; frame.width * frame.height * 3];
-    let bands = image.chunks_mut(ROWS * frame.width * 3).enumerate();
-    threads::map_ordered(threads, bands, |band: &mut Band, (i, rows)| {
-        band.rasterize(&call, i * ROWS, rows)
+    Ok(match frame.subrows {
+        1 => rasterize_bands::<1>(&call, threads),
+        2 => rasterize_bands::<2>(&call, threads),
+        _ => rasterize_bands::<4>(&call, threads),
+    })
+}
+
+fn rasterize_bands<const S: usize>(call: &Call<'_>, threads: usize) -> Vec<f32> {
+    let mut image = vec![0.0; call.frame.width * call.frame.height * 3];
+    let bands = image.chunks_mut(ROWS * call.frame.width * 3).enumerate();
+    threads::map_ordered(threads, bands, |band: &mut Band<S>, (i, rows)| {
+        band.rasterize(call, i * ROWS, rows)
     });
-    Ok(image)
+    image
 }
 
 /// Paints the paths and differentiates the objective by every parameter of every path.
@@ -76,23 +85,35 @@ pub fn differentiate(
     frame.check()?;
     paths.check(frame)?;
     objective.check(paths.len(), frame)?;
-    let chords = flatten::flatten(paths);
     let call = Call {
         paths,
         frame,
-        chords: &chords,
+        chords: &flatten::flatten(paths),
     };
-    let mut image = vec![0.0; frame.width * frame.height * 3];
-    let bands = image.chunks_mut(ROWS * frame.width * 3).enumerate();
-    let parts = threads::map_ordered(threads, bands, |band: &mut Band, (i, rows)| {
-        band.differentiate(&call, objective, importance, i * ROWS, rows)
+    let found = match frame.subrows {
+        1 => differentiate_bands::<1>(&call, objective, importance, threads),
+        2 => differentiate_bands::<2>(&call, objective, importance, threads),
+        _ => differentiate_bands::<4>(&call, objective, importance, threads),
+    };
+    // A value that is not finite makes its loss so too, and the sound ones need not be searched.
+    if !found.losses.iter().all(|loss| loss.is_finite()) {
+        objective.check_values()?;
+    }
+    Ok(found)
+}
+
+fn differentiate_bands<const S: usize>(
+    call: &Call<'_>,
+    objective: &Objective<'_>,
+    importance: bool,
+    threads: usize,
+) -> Gradients {
+    let mut image = vec![0.0; call.frame.width * call.frame.height * 3];
+    let bands = image.chunks_mut(ROWS * call.frame.width * 3).enumerate();
+    let parts = threads::map_ordered(threads, bands, |band: &mut Band<S>, (i, rows)| {
+        band.differentiate(call, objective, importance, i * ROWS, rows)
     });
-    let n_losses = if let Objective::Checkpoints(checkpoints) = objective {
-        checkpoints.len()
-    } else {
-        0
-    };
-    Ok(sum(paths, n_losses, image, &parts))
+    sum(call.paths, image, &parts)
 }
 
 /// Coverage of one closed chain of cubics `[3S, 2]`, `[height, width]`, resolved over 4 sub-rows a pixel.
@@ -105,32 +126,24 @@ pub fn coverage(points: &[f32], width: usize, height: usize) -> Result<Vec<f32>,
         subrows: 4,
         quantise: false,
     };
-    let (stops, axis) = ([0.0; 8], [0.0; 4]);
     let paths = Paths {
         segments: points.len() / 6,
         points,
-        stops: &stops,
-        axis: &axis,
+        stops: &[1.0; 8],
+        axis: &[0.0; 4],
         gradient: &[false],
         clip: &[-1],
     };
-    frame.check()?;
-    paths.check(&frame)?;
-    let chords = flatten::flatten(&paths);
-    let call = Call {
-        paths: &paths,
-        frame: &frame,
-        chords: &chords,
-    };
-    let mut mask = vec![0.0; width * height];
-    let mut band = Band::default();
-    for (i, rows) in mask.chunks_mut(ROWS * width).enumerate() {
-        band.coverage(&call, i * ROWS, rows);
-    }
-    Ok(mask)
+    let white_on_black = rasterize(&paths, &frame, 1)?;
+    Ok(white_on_black
+        .as_chunks::<3>()
+        .0
+        .iter()
+        .map(|rgb| rgb[0])
+        .collect())
 }
 
-/// How far each path lies over itself, in pixel areas, `[n]`; `threads` 0 means all cores.
+/// How each path lies over itself, `[n]`; `threads` 0 means all cores.
 pub fn overlaps(
     paths: &Paths<'_>,
     frame: &Frame<'_>,
@@ -138,14 +151,13 @@ pub fn overlaps(
 ) -> Result<Vec<Overlap>, Error> {
     frame.check()?;
     paths.check(frame)?;
-    let chords = flatten::flatten(paths);
     let call = Call {
         paths,
         frame,
-        chords: &chords,
+        chords: &flatten::flatten(paths),
     };
     let bands = 0..frame.height.div_ceil(ROWS);
-    let parts = threads::map_ordered(threads, bands, |band: &mut Band, i| {
+    let parts = threads::map_ordered(threads, bands, |band: &mut Band<4>, i| {
         band.overlaps(&call, i * ROWS)
     });
     let mut whole = vec![Overlap::default(); paths.len()];
@@ -158,10 +170,10 @@ pub fn overlaps(
 }
 
 /// Adds the bands' gradients in their order.
-fn sum(paths: &Paths<'_>, n_losses: usize, image: Vec<f32>, parts: &[BandGradient]) -> Gradients {
+fn sum(paths: &Paths<'_>, image: Vec<f32>, parts: &[BandGradient]) -> Gradients {
     let (n, stride) = (paths.len(), paths.segments * 6);
     let mut whole = Gradients {
-        losses: vec![0.0; n_losses],
+        losses: vec![0.0; parts.first().map_or(0, |part| part.losses.len())],
         image,
         points: vec![0.0; n * stride],
         stops: vec![0.0; n * 8],

@@ -128,28 +128,36 @@ impl Objective<'_> {
     /// Refuses targets that do not fit the frame and checkpoints out of order.
     pub fn check(&self, n_paths: usize, frame: &Frame<'_>) -> Result<(), Error> {
         let pixels = frame.width * frame.height;
-        match self {
+        let checkpoints = match self {
             Self::Upstream(grad) => {
                 length("grad_image", grad, pixels * 3)?;
-                within("grad_image", grad, MAX_COLOUR)
+                return self.check_values();
             }
-            Self::Checkpoints(checkpoints) => {
-                let mut after = 0;
-                for checkpoint in *checkpoints {
-                    if checkpoint.below < after || checkpoint.below > n_paths {
-                        return Err(Error::Order {
-                            got: checkpoint.below,
-                            after,
-                        });
-                    }
-                    after = checkpoint.below;
-                    length("target", checkpoint.target, pixels * 3)?;
-                    length("weight", checkpoint.weight, pixels)?;
-                    within("target", checkpoint.target, MAX_COLOUR)?;
-                    within("weight", checkpoint.weight, MAX_COLOUR)?;
-                }
-                Ok(())
+            Self::Checkpoints(checkpoints) => checkpoints.iter(),
+        };
+        let mut after = 0;
+        for checkpoint in checkpoints {
+            if checkpoint.below < after || checkpoint.below > n_paths {
+                return Err(Error::Order {
+                    got: checkpoint.below,
+                    after,
+                });
             }
+            after = checkpoint.below;
+            length("target", checkpoint.target, pixels * 3)?;
+            length("weight", checkpoint.weight, pixels)?;
+        }
+        Ok(())
+    }
+
+    /// Refuses values that are not finite or beyond the limit.
+    pub fn check_values(&self) -> Result<(), Error> {
+        match self {
+            Self::Upstream(grad) => within("grad_image", grad, MAX_COLOUR),
+            Self::Checkpoints(checkpoints) => checkpoints.iter().try_for_each(|checkpoint| {
+                within("target", checkpoint.target, MAX_COLOUR)?;
+                within("weight", checkpoint.weight, MAX_COLOUR)
+            }),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Reads targets into a band, measures the loss there and yields the gradient that enters at that height of the stack.
 
-use crate::composite::Rgb;
 use crate::scene::{Checkpoint, Frame};
+use crate::shade::Rgb;
 use crate::transpose::read;
 use crate::walk::{Lane, ROWS};
 
@@ -26,17 +26,15 @@ impl Seam {
     ) -> f64 {
         let scale = 1.0 / (3 * frame.width * frame.height) as f32;
         self.below = checkpoint.below;
-        self.grad.clear();
-        self.grad.resize(frame.width, [[0.0; ROWS]; 3]);
-        self.curvature.clear();
-        self.curvature.resize(frame.width, [0.0; ROWS]);
+        self.clear(frame.width);
         read(
             checkpoint.target,
             3 * frame.width,
             top,
+            0,
             self.grad.as_flattened_mut(),
         );
-        read(checkpoint.weight, frame.width, top, &mut self.curvature);
+        read(checkpoint.weight, frame.width, top, 0, &mut self.curvature);
         let mut sums = [0.0_f64; ROWS];
         for ((g, q), c) in self.grad.iter_mut().zip(&mut self.curvature).zip(picture) {
             for l in 0..ROWS {
@@ -56,16 +54,21 @@ impl Seam {
     /// Takes a given gradient of the finished picture instead of a target.
     pub fn receive(&mut self, grad_image: &[f32], n_paths: usize, frame: &Frame<'_>, top: usize) {
         self.below = n_paths;
-        self.grad.clear();
-        self.grad.resize(frame.width, [[0.0; ROWS]; 3]);
-        self.curvature.clear();
-        self.curvature.resize(frame.width, [0.0; ROWS]);
+        self.clear(frame.width);
         read(
             grad_image,
             3 * frame.width,
             top,
+            0,
             self.grad.as_flattened_mut(),
         );
+    }
+
+    fn clear(&mut self, width: usize) {
+        self.grad.clear();
+        self.grad.resize(width, [[0.0; ROWS]; 3]);
+        self.curvature.clear();
+        self.curvature.resize(width, [0.0; ROWS]);
     }
 
     /// Adds this checkpoint's gradient and curvature to what comes down from above.

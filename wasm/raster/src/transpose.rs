@@ -6,21 +6,21 @@ use crate::walk::{Lane, ROWS};
 
 type Block = [Lane; ROWS];
 
-/// Reads the band at row `top` of an image of `stride` values a row; rows below the image keep their values.
-pub fn read(image: &[f32], stride: usize, top: usize, lanes: &mut [Lane]) {
+/// Reads columns `first..` of the band at row `top` of an image of `stride` values a row; rows below the image keep theirs.
+pub fn read(image: &[f32], stride: usize, top: usize, first: usize, lanes: &mut [Lane]) {
     let rows = &image[top * stride..image.len().min((top + ROWS) * stride)];
     let (blocks, rest) = lanes.as_chunks_mut::<ROWS>();
     let tail = blocks.len() * ROWS;
     if rows.len() == ROWS * stride {
         for (i, block) in blocks.iter_mut().enumerate() {
             for (row, line) in rows.chunks_exact(stride).enumerate() {
-                block[row].copy_from_slice(&line[i * ROWS..(i + 1) * ROWS]);
+                block[row].copy_from_slice(&line[first + i * ROWS..][..ROWS]);
             }
             transpose(block);
         }
-        return scatter(rows, stride, tail, rest);
+        return scatter(rows, stride, first + tail, rest);
     }
-    scatter(rows, stride, 0, lanes);
+    scatter(rows, stride, first, lanes);
 }
 
 /// Writes a band's lanes into `rows` of an image, as many rows as there are.

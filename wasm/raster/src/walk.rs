@@ -45,31 +45,36 @@ impl Grid<'_> {
         let (mut across, mut down) = (Axis::new(x, p.dx), Axis::new(p.y, p.dy));
         let next_column = ROWS << self.shift;
         let mut start = 0.0_f32;
-        for remaining in (0..=across.crossings + down.crossings).rev() {
-            let end = if remaining == 0 {
-                1.0
-            } else {
-                across.next.min(down.next).clamp(start, 1.0)
-            };
-            let (column, row) = (
-                across.cell.clamp(0, right),
-                down.cell.clamp(0, bottom) as usize,
-            );
-            let subrow = row & ((1 << self.shift) - 1);
-            let cell = (((column as usize) << self.shift) + subrow) * ROWS + (row >> self.shift);
-            let d = (end - start) * p.dy;
-            let m = (x + 0.5 * (start + end) * p.dx - column as f32).clamp(0.0, 1.0);
-            self.cells[cell] += d - d * m;
-            self.cells[cell + next_column] += d * m;
-            passages.push(Passage {
-                cell: self.base + cell as u32,
-                end,
-            });
-            start = end;
-            let sideways = across.next <= down.next;
-            across.advance(sideways);
-            down.advance(!sideways);
-        }
+        passages.extend(
+            (0..=across.crossings + down.crossings)
+                .rev()
+                .map(|remaining| {
+                    let end = if remaining == 0 {
+                        1.0
+                    } else {
+                        across.next.min(down.next).clamp(start, 1.0)
+                    };
+                    let (column, row) = (
+                        across.cell.clamp(0, right),
+                        down.cell.clamp(0, bottom) as usize,
+                    );
+                    let subrow = row & ((1 << self.shift) - 1);
+                    let cell =
+                        (((column as usize) << self.shift) + subrow) * ROWS + (row >> self.shift);
+                    let d = (end - start) * p.dy;
+                    let m = (x + 0.5 * (start + end) * p.dx - column as f32).clamp(0.0, 1.0);
+                    self.cells[cell] += d - d * m;
+                    self.cells[cell + next_column] += d * m;
+                    start = end;
+                    let sideways = across.next <= down.next;
+                    across.advance(sideways);
+                    down.advance(!sideways);
+                    Passage {
+                        cell: self.base + cell as u32,
+                        end,
+                    }
+                }),
+        );
     }
 }
 
