@@ -1,5 +1,5 @@
 /** Asks the server; every failure becomes a `RequestError` with the server's code and sentence. */
-import type { Faces, JobRequest, JobState, Landmarks, Portrait, Scene, VectorizeOptions } from './schema';
+import type { Faces, JobRequest, JobState, Landmarks, Portrait, Scene, VectorizeOptions, VideoRequest } from './schema';
 
 /** The server's own codes, and `offline` when it does not answer at all. */
 export class RequestError extends Error {
@@ -61,6 +61,15 @@ export async function finishJob(jobId: string): Promise<void> {
 
 export async function cancelJob(jobId: string): Promise<void> {
   await answered(jobUrl(jobId), { method: 'DELETE' });
+}
+
+export function postVideo(video: VideoRequest, signal?: AbortSignal): Promise<JobState> {
+  return request('api/videos', { method: 'POST', body: JSON.stringify(video), headers: { 'content-type': 'application/json' }, signal });
+}
+
+export async function getVideo(jobId: string, signal?: AbortSignal): Promise<Blob> {
+  const response = await answered(`api/videos/${encodeURIComponent(jobId)}/file`, { signal });
+  return response.blob();
 }
 
 const jobUrl = (jobId: string) => `api/jobs/${encodeURIComponent(jobId)}`;

@@ -5,7 +5,7 @@ import initModule, {
   Rig as CoreRig,
   channelNames,
   fitPins as coreFitPins,
-  pathData,
+  pathData as corePathData,
 } from './wasm/vectortalker_browser.js';
 
 type Xy = readonly [number, number];
@@ -25,8 +25,28 @@ export type Frame = {
   readonly d: (pathIndex: number) => string;
 };
 
-/** Flat control points of one path of a frame. */
-export type FramePoints = { readonly path: number; readonly points: Float64Array };
+/** Flat control points of one path of a frame, and where the ends x1, y1, x2, y2 of its gradient go with it. */
+export type FramePoints = { readonly path: number; readonly points: Float64Array; readonly axis: Float64Array };
+
+/** A scene's fills and clips as flat arrays; see the core's `animatedSvg`. */
+export type CorePicture = {
+  readonly width: number;
+  readonly height: number;
+  readonly canvas: Uint8Array;
+  readonly layers: Uint32Array;
+  readonly openings: Uint32Array;
+  readonly fills: Float64Array;
+  readonly axes: Float64Array;
+};
+
+export type SvgOptions = {
+  readonly durationSeconds: number;
+  /** Largest distance of a control point from where its frame has it, in portrait pixels. */
+  readonly tolerance: number;
+  readonly looped: boolean;
+  readonly title: string;
+  readonly description: string;
+};
 
 export type RigOptions = {
   /** Split curves at triangle edges; false is the ablation of the paper's figure. */
@@ -89,6 +109,11 @@ export function fitPins(pins: Pins): Landmarks | null {
   return { points, irises: [iris(2 * N_LANDMARKS), iris(2 * N_LANDMARKS + 3)] };
 }
 
+/** SVG path data of a closed chain of cubics. */
+export function pathData(points: Float64Array): string {
+  return corePathData(points);
+}
+
 /** A rigged scene. Its topology never changes; it remembers the last frame, so that a frame lists only what differs from it. */
 export class Rig {
   readonly #core: CoreRig;
@@ -126,12 +151,37 @@ export class Rig {
     return { changed, d: (path) => this.#pathData(path) };
   }
 
-  /** Control points of all paths that differ from rest. */
-  movedPoints(vertices: Float64Array): readonly FramePoints[] {
+  /** All paths that differ from rest; `axes` are the gradient ends of every path at rest, four numbers each. */
+  movedPoints(vertices: Float64Array, axes: Float64Array): readonly FramePoints[] {
     const frame = this.#core.frame(vertices, this.restVertices);
     const { changed, starts, points } = frame;
     frame.free();
-    return Array.from(changed, (path, k) => ({ path, points: points.subarray(2 * starts[k], 2 * starts[k + 1]) }));
+    const moved = this.#core.followGradients(changed, starts, points, axes);
+    return Array.from(changed, (path, k) => ({
+      path,
+      points: points.subarray(2 * starts[k], 2 * starts[k + 1]),
+      axis: moved.subarray(4 * k, 4 * k + 4),
+    }));
+  }
+
+  /** Animated SVG of `frames` (all vertices, frame after frame, evenly over the duration). */
+  animatedSvg({ width, height, canvas, layers, openings, fills, axes }: CorePicture, frames: Float64Array, options: SvgOptions): string {
+    const { durationSeconds, tolerance, looped, title, description } = options;
+    return this.#core.animatedSvg(
+      width,
+      height,
+      canvas,
+      layers,
+      openings,
+      fills,
+      axes,
+      frames,
+      durationSeconds,
+      tolerance,
+      looped,
+      title,
+      description,
+    );
   }
 
   /** Control points of one path at rest, split as in every frame. */
@@ -141,7 +191,7 @@ export class Rig {
 
   /** Path data of the openings: left eye, right eye, mouth. */
   openings(vertices: Float64Array): readonly string[] {
-    return this.openingPoints(vertices).map((points) => pathData(points));
+    return this.openingPoints(vertices).map((points) => corePathData(points));
   }
 
   /** Control points of the openings: left eye, right eye, mouth. */
@@ -166,7 +216,7 @@ export class Rig {
   }
 
   #pathData(path: number): string {
-    const known = this.#data[path] ?? pathData(this.#core.restPath(path));
+    const known = this.#data[path] ?? corePathData(this.#core.restPath(path));
     this.#data[path] = known;
     return known;
   }

@@ -1,5 +1,6 @@
 /** The bar above everything: name, undo, theme, help, open, save, export. */
 import type { JSX } from 'preact';
+import { ExportMenu } from '../export/ExportMenu';
 import { openProjectFile, saveProject } from '../project/files';
 import { redoStep, undoStep } from '../store/editing';
 import { nextTheme } from '../store/looking';
@@ -39,6 +40,7 @@ export function TopBar(): JSX.Element {
           <Button disabled={!scene.value} onClick={() => saveProject().catch(report)}>
             Save
           </Button>
+          <ExportMenu />
         </>
       )}
     </header>

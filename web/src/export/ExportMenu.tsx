@@ -1,0 +1,125 @@
+/** The export menu: what can be exported, a forecast before it starts, progress, and Cancel. */
+import type { JSX } from 'preact';
+import { useEffect, useRef } from 'preact/hooks';
+import { Button } from '../shell/Button';
+import { scene, track } from '../store/state';
+import { cancel, type ExportKind, exporting, looped, prepare, start, videoSize } from './exporting';
+import { forecastText } from './forecast';
+import './export.css';
+
+const KINDS: readonly { readonly kind: ExportKind; readonly label: string; readonly about: string; readonly moves: boolean }[] = [
+  { kind: 'svg', label: 'SVG', about: 'The layered picture as it stands on the stage', moves: false },
+  { kind: 'animated', label: 'Animated SVG', about: 'Plays anywhere an image does, without scripts', moves: true },
+  { kind: 'mp4', label: 'MP4 video', about: 'H.264, for messengers, slides and video editors', moves: true },
+  { kind: 'webm', label: 'WebM video', about: 'VP9, for the web', moves: true },
+];
+const VIDEO_SIZES = [360, 512, 720, 1080];
+const LARGE_BYTES = 5_000_000; // slow to open on a phone
+
+export function ExportMenu(): JSX.Element {
+  const details = useRef<HTMLDetailsElement>(null);
+  useEffect(() => closeOnLeave(details), []);
+  return (
+    <details class="export-menu" ref={details} onToggle={(event) => !event.currentTarget.open && cancel()}>
+      <summary class="button primary" aria-disabled={!scene.value}>
+        Export
+      </summary>
+      <section class="export-sheet card" aria-label="Export">
+        {exporting.value.kind === 'idle' ? <Choices /> : <Course />}
+      </section>
+    </details>
+  );
+}
+
+function Choices(): JSX.Element {
+  return (
+    <>
+      {KINDS.map(({ kind, label, about, moves }) => (
+        <button
+          type="button"
+          key={kind}
+          class="export-choice"
+          disabled={!scene.value || (moves && !track.value)}
+          onClick={() => prepare(kind)}
+        >
+          <strong>{label}</strong>
+          <span>{about}</span>
+        </button>
+      ))}
+      {!track.value && <p class="export-note">Choose a track on the timeline to export motion.</p>}
+      <label class="export-option">
+        Video size
+        <select
+          class="select"
+          value={videoSize.value}
+          onChange={(event) => {
+            videoSize.value = Number(event.currentTarget.value);
+          }}
+        >
+          {VIDEO_SIZES.map((size) => (
+            <option key={size} value={size}>
+              {size} px
+            </option>
+          ))}
+        </select>
+      </label>
+      <label class="export-option">
+        Repeat animated SVG
+        <input
+          type="checkbox"
+          checked={looped.value}
+          onChange={(event) => {
+            looped.value = event.currentTarget.checked;
+          }}
+        />
+      </label>
+    </>
+  );
+}
+
+/** What is under way or about to start. */
+function Course(): JSX.Element | null {
+  const now = exporting.value;
+  if (now.kind === 'idle') return null;
+  const label = KINDS.find(({ kind }) => kind === now.what)?.label;
+  return (
+    <div class="export-course" aria-live="polite">
+      <strong>{label}</strong>
+      {now.kind === 'measuring' && <p>Trying it out…</p>}
+      {now.kind === 'ready' && (
+        <>
+          <p>{now.forecast ? forecastText(now.forecast) : 'This browser cannot encode it; the server will render it.'}</p>
+          {now.forecast && now.forecast.bytes > LARGE_BYTES && (
+            <p class="export-note">Large for the web: a shorter track or a video is lighter.</p>
+          )}
+        </>
+      )}
+      {now.kind === 'working' && <progress aria-label="Export progress" value={now.progress} max={1} />}
+      <div class="row">
+        {now.kind === 'ready' && (
+          <Button emphasis="primary" onClick={() => start()}>
+            Download
+          </Button>
+        )}
+        <Button onClick={cancel}>Cancel</Button>
+      </div>
+    </div>
+  );
+}
+
+/** Closes on Escape and on a press outside, unless something is being exported. */
+function closeOnLeave(details: { readonly current: HTMLDetailsElement | null }): () => void {
+  const close = (event: Event) => {
+    const menu = details.current;
+    if (!menu?.open || exporting.value.kind === 'working') return;
+    const isEscape = event instanceof KeyboardEvent && event.key === 'Escape';
+    const isOutside = event instanceof PointerEvent && event.target instanceof Node && !menu.contains(event.target);
+    if (isEscape || isOutside) menu.open = false;
+  };
+  document.addEventListener('keydown', close);
+  document.addEventListener('pointerdown', close);
+  return () => {
+    document.removeEventListener('keydown', close);
+    document.removeEventListener('pointerdown', close);
+  };
+}

@@ -1,0 +1,159 @@
+/** One export at a time: what may be exported, how it is going, and how it ends. */
+import { signal as state } from '@preact/signals';
+import { download } from '../project/files';
+import { buildRig } from '../rig/rig';
+import { rigModuleReady, standing } from '../stage/posing';
+import { announce, report } from '../store/notices';
+import { edit, history, scene, track } from '../store/state';
+import { evenSize } from './canvas';
+import { type Forecast, forecastSvg, forecastVideo } from './forecast';
+import type { Performance } from './motion';
+import { renderOnServer } from './serverVideo';
+import { animatedSvg, stillSvg } from './svgFile';
+import { canEncode, encodeVideo, type VideoKind, type VideoOptions } from './videoFile';
+
+export type ExportKind = 'svg' | 'animated' | 'mp4' | 'webm';
+
+/** Where a video would be made. */
+export type Maker = 'browser' | 'server';
+
+export type Exporting =
+  | { readonly kind: 'idle' }
+  | { readonly kind: 'measuring'; readonly what: ExportKind }
+  | { readonly kind: 'ready'; readonly what: ExportKind; readonly forecast: Forecast | null; readonly maker: Maker }
+  | { readonly kind: 'working'; readonly what: ExportKind; readonly progress: number };
+
+const FPS = 25;
+
+export const exporting = state<Exporting>({ kind: 'idle' });
+/** Longer side of a video in pixels. */
+export const videoSize = state(512);
+export const looped = state(true);
+
+let stopper = new AbortController();
+
+/** Probes and samples; ends in `ready`, from where `start` goes on. */
+export async function prepare(what: ExportKind): Promise<void> {
+  const { signal } = begin({ kind: 'measuring', what });
+  await attempt(signal, async () => {
+    await painted();
+    const { forecast, maker } = await measured(what, signal);
+    if (!signal.aborted) exporting.value = { kind: 'ready', what, forecast, maker };
+  });
+}
+
+/** Makes the file that was prepared and hands it to the browser's downloads. */
+export async function start(): Promise<void> {
+  const ready = exporting.value;
+  if (ready.kind !== 'ready') return;
+  const { what, maker } = ready;
+  const { signal } = begin({ kind: 'working', what, progress: 0 });
+  await attempt(signal, async () => {
+    await painted();
+    const file = await made(what, maker, signal);
+    download(file.data, file.name);
+    announce(`Exported ${file.name}`);
+    exporting.value = { kind: 'idle' };
+  });
+}
+
+/** Stops whatever is under way. */
+export function cancel(): void {
+  stopper.abort();
+  exporting.value = { kind: 'idle' };
+}
+
+function begin(next: Exporting): AbortController {
+  stopper.abort();
+  stopper = new AbortController();
+  exporting.value = next;
+  return stopper;
+}
+
+async function attempt(signal: AbortSignal, work: () => Promise<void>): Promise<void> {
+  try {
+    await work();
+  } catch (error) {
+    if (signal.aborted) return;
+    exporting.value = { kind: 'idle' };
+    report(error);
+  }
+}
+
+async function measured(what: ExportKind, signal: AbortSignal): Promise<{ forecast: Forecast | null; maker: Maker }> {
+  switch (what) {
+    case 'svg':
+      return { forecast: { bytes: still().length, seconds: 0 }, maker: 'browser' };
+    case 'animated':
+      return { forecast: onStage(forecastSvg), maker: 'browser' };
+    case 'mp4':
+    case 'webm': {
+      const options = videoOptions(what);
+      const isAble = scene.value !== null && (await canEncode(what, evenSize(scene.value, options.longerSide)));
+      if (!isAble) return { forecast: null, maker: 'server' };
+      return { forecast: await onStage((performance) => forecastVideo(performance, options, signal)), maker: 'browser' };
+    }
+    default:
+      return what satisfies never;
+  }
+}
+
+async function made(what: ExportKind, maker: Maker, signal: AbortSignal): Promise<{ data: Blob; name: string }> {
+  const { name } = edit.value;
+  switch (what) {
+    case 'svg':
+      return { data: new Blob([still()], { type: 'image/svg+xml' }), name: `${name}.svg` };
+    case 'animated': {
+      const text = onStage((performance) =>
+        animatedSvg(performance, { looped: looped.value, durationSeconds: performance.track.duration }),
+      );
+      return { data: new Blob([text], { type: 'image/svg+xml' }), name: `${name}-animated.svg` };
+    }
+    case 'mp4':
+    case 'webm': {
+      const make = maker === 'browser' ? encodeVideo : renderOnServer;
+      const data = await onStage((performance) =>
+        make(performance, videoOptions(what), signal, (progress) => tell(what, progress, signal)),
+      );
+      return { data, name: `${name}.${what}` };
+    }
+    default:
+      return what satisfies never;
+  }
+}
+
+function tell(what: ExportKind, progress: number, signal: AbortSignal): void {
+  if (!signal.aborted) exporting.value = { kind: 'working', what, progress };
+}
+
+const videoOptions = (kind: VideoKind): VideoOptions => ({ kind, fps: FPS, longerSide: videoSize.value });
+
+/** Gives `use` a rig of its own: the stage's remembers what it shows. The rig is freed when the result is there. */
+function onStage<T>(use: (performance: Performance) => T): T {
+  const open = scene.value;
+  const { landmarks } = history.value.present;
+  if (!open || !landmarks || !track.value || !rigModuleReady.value) throw new Error('Choose a track first: there is nothing to play.');
+  const rig = buildRig(open, landmarks);
+  const result = use({ name: edit.value.name, scene: open, landmarks, rig, pose: edit.value.pose, track: track.value });
+  if (result instanceof Promise) result.finally(() => rig.dispose()).catch(() => {});
+  else rig.dispose();
+  return result;
+}
+
+/** The picture as it stands on the stage. */
+function still(): string {
+  if (!scene.value) throw new Error('There is no vector picture to export yet.');
+  const { landmarks } = history.value.present;
+  const { name, layers } = edit.value;
+  const now = standing.value;
+  if (!landmarks || !now) return stillSvg(name, scene.value, null, layers);
+  const rig = buildRig(scene.value, landmarks);
+  try {
+    return stillSvg(name, scene.value, { rig, vertices: now.vertices }, layers);
+  } finally {
+    rig.dispose();
+  }
+}
+
+/** Resolves after the next paint, so that long work starts with the page up to date. */
+const painted = () => new Promise<void>((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
