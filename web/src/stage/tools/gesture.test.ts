@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Xy } from '../../face/vector';
 import { editOf, withChannel } from '../../store/edit';
-import { IDLE, type Gesture, type Outcome, type PointerStep, type Press, type Start, step, type Tool } from './gesture';
+import { type Gesture, IDLE, type Outcome, type PointerStep, type Press, type Start, step, type Tool } from './gesture';
 
 const START: Start = { edit: editOf('Portrait', null), view: { centre: [0, 0], scale: 1 } };
 const SKETCHED = withChannel(START.edit, 'jaw', 1);
