@@ -33,6 +33,8 @@ pub struct Face {
     pub height: f64,
     /// Base of the neck, about which the head turns.
     pub pivot: Point,
+    /// Height of the joint between skull and spine, about which it nods: between the ear lobes.
+    pub skull_joint: Point,
 }
 
 impl Face {
@@ -66,6 +68,7 @@ impl Face {
             width,
             height,
             pivot: landmarks[8] + down * (NECK * height),
+            skull_joint: landmarks[2].lerp(landmarks[14], 0.5),
         })
     }
 

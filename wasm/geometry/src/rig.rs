@@ -37,11 +37,12 @@ impl Rig {
         scene.check()?;
         let face = Face::measure(&rest.landmarks)?;
         let landmarks = snap_closed(&rest.landmarks);
-        let irises = irises_or_eye_centres(&landmarks, rest.irises);
-        let depth = aligned_depth(rest.depth.as_ref());
-        let set = VertexSet::place(&face, &landmarks, &irises, &depth, &scene.extent());
         let closed: Vec<Opening> = Opening::ALL.into_iter().filter(|opening| opening.is_closed(&landmarks)).collect();
+        let depth = aligned_depth(rest.depth.as_ref());
+        let irises = irises_or_eye_centres(&landmarks, rest.irises);
+        let mut set = VertexSet::place(&face, &landmarks, &irises, &depth, &scene.extent());
         let mesh = Mesh::build(set.rest.clone(), set.triangulated(), &closed)?;
+        head::relax_depth(&mut set, &mesh, &face);
         let paths = BoundPaths::bind(scene, &mesh, &set.moving(), options, closed.contains(&Opening::Mouth));
         Ok(Self { face, landmarks, irises, set, mesh, paths })
     }
@@ -93,7 +94,7 @@ impl Rig {
             stage.advance(&self.mesh, self.follow(&stage.points, &anchors));
         }
 
-        let turned = head::turn(&stage.positions, &self.set, face, pose);
+        let turned = head::turn(&stage.positions, &self.set, face, head::Angles::of(pose));
         stage.advance(&self.mesh, turned);
         (stage.positions, stage.limit)
     }

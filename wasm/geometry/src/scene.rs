@@ -62,10 +62,12 @@ impl SceneGeometry<'_> {
         }
     }
 
-    /// What the mesh has to cover.
+    /// What the mesh has to cover: the picture, and control points beyond it.
     #[must_use]
     pub fn extent(&self) -> Extent {
-        let (lowest, highest) = bounds(self.points);
+        let frame = [Point::ZERO, Point::new(self.width, self.height)];
+        let corners: Vec<Point> = self.points.iter().copied().chain(frame).collect();
+        let (lowest, highest) = bounds(&corners);
         Extent { width: self.width, height: self.height, lowest, highest }
     }
 }

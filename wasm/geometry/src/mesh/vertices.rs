@@ -2,7 +2,7 @@
 //! from the face to hair, neck, shoulders and the still frame.
 
 use crate::face::{Face, Iris, Landmarks};
-use crate::opening::N_LANDMARKS;
+use crate::opening::{N_LANDMARKS, Opening};
 use crate::point::Point;
 
 /// Image-left iris; the image-right one follows.
@@ -54,7 +54,7 @@ impl VertexSet {
             depth: depth.to_vec(),
             follows: vec![Vec::new(); N_LANDMARKS],
         };
-        set.add_part_anchors(face, landmarks, irises, depth);
+        set.add_part_anchors(face, landmarks, irises);
         set.add_lid_bands(face, landmarks, depth);
         set.add_cheeks(landmarks, depth);
         set.add_head_rings(face, landmarks);
@@ -81,38 +81,73 @@ impl VertexSet {
         self.follows.push(follows.to_vec());
     }
 
-    fn add_part_anchors(&mut self, face: &Face, landmarks: &Landmarks, irises: &[Iris; 2], depth: &[f64]) {
-        for (iris, corner) in irises.iter().zip([36, 42]) {
-            self.add(iris.centre, 1.0, depth[corner].midpoint(depth[corner + 3]), &[]);
+    fn add_part_anchors(&mut self, face: &Face, landmarks: &Landmarks, irises: &[Iris; 2]) {
+        for iris in irises {
+            self.add(iris.centre, 1.0, 0.0, &[]);
         }
         let corners = [landmarks[48], landmarks[54]];
-        let mouth_depth = depth[48].midpoint(depth[54]);
         for corner in corners {
-            self.add(corner, 1.0, mouth_depth, &[]);
+            self.add(corner, 1.0, 0.0, &[]);
         }
         // The lower teeth sit in the jaw bone, which the chin shows best.
         for corner in corners {
-            self.add(corner, 1.0, mouth_depth, &[(7, 1.0 / 3.0), (8, 1.0 / 3.0), (9, 1.0 / 3.0)]);
+            self.add(corner, 1.0, 0.0, &CHIN);
         }
         let tongue = landmarks[62].lerp(landmarks[66], 0.5) + face.down * (0.1 * face.mouth_width);
-        self.add(tongue, 1.0, mouth_depth, &[(7, 1.0 / 3.0), (8, 1.0 / 3.0), (9, 1.0 / 3.0)]);
+        self.add(tongue, 1.0, 0.0, &CHIN);
+        self.settle_depth();
+    }
+
+    /// Gives the anchors of local parts the depth of the openings they show through, and one depth to contours that
+    /// coincide, so that a closed opening stays closed when the head turns.
+    pub fn settle_depth(&mut self) {
+        for opening in Opening::ALL {
+            for (upper, lower) in opening.pairs() {
+                if self.rest[upper] == self.rest[lower] {
+                    let middle = self.depth[upper].midpoint(self.depth[lower]);
+                    (self.depth[upper], self.depth[lower]) = (middle, middle);
+                }
+            }
+            let ring = opening.ring();
+            let mean = ring.iter().map(|&landmark| self.depth[landmark]).sum::<f64>() / ring.len() as f64;
+            match opening {
+                Opening::LeftEye => self.depth[IRIS] = mean,
+                Opening::RightEye => self.depth[IRIS + 1] = mean,
+                Opening::Mouth => self.depth[SKULL..FIRST_SKIN].fill(mean),
+            }
+        }
     }
 
     /// Bands that go rigidly with lids and brows, so that lash lines and brows keep their thickness and only the plain
-    /// skin between them stretches.
+    /// skin between them stretches; and a still point above each corner, past which a closing lid may sink.
     fn add_lid_bands(&mut self, face: &Face, landmarks: &Landmarks, depth: &[f64]) {
-        let upper = [(37, 19, 41), (38, 20, 40), (43, 23, 47), (44, 24, 46)];
-        for (lid, brow, opposite) in upper {
-            let room = (landmarks[lid] - landmarks[brow]).dot(face.down);
-            let eye_height = (landmarks[opposite] - landmarks[lid]).dot(face.down).abs();
-            let lash = (LASH_BAND * eye_height.max(MIN_BAND * face.eye_distance)).min(0.35 * room);
-            let brow_band = (BROW_BAND * face.eye_distance).min(0.3 * room);
-            if room > MIN_BAND * face.eye_distance {
-                self.add(landmarks[lid] - face.down * lash, 1.0, depth[lid], &[(lid, 1.0)]);
-                self.add(landmarks[brow] + face.down * brow_band, 1.0, depth[brow], &[(brow, 1.0)]);
+        let least = MIN_BAND * face.eye_distance;
+        let sides =
+            [([36, 39], [(37, 41, 19), (38, 40, 20)], 18..22), ([42, 45], [(43, 47, 23), (44, 46, 24)], 22..26)];
+        for (corners, lids, brow) in sides {
+            let mut room = f64::INFINITY;
+            for (upper, lower, above) in lids {
+                let space = (landmarks[upper] - landmarks[above]).dot(face.down);
+                // Along the lid's own way of closing: the band then keeps clear of the corners.
+                let open = landmarks[lower] - landmarks[upper];
+                let way = if open.norm() > least { open * (1.0 / open.norm()) } else { face.down };
+                let lash = LASH_BAND * open.norm().max(least);
+                if space > least {
+                    self.add(landmarks[upper] - way * lash.min(0.25 * space), 1.0, depth[upper], &[(upper, 1.0)]);
+                }
+                self.add(landmarks[lower] + way * lash, 1.0, depth[lower], &[(lower, 1.0)]);
+                room = room.min(space);
             }
-            let below = LASH_BAND * eye_height.max(MIN_BAND * face.eye_distance);
-            self.add(landmarks[opposite] + face.down * below, 1.0, depth[opposite], &[(opposite, 1.0)]);
+            if room > least {
+                let shift = face.down * (BROW_BAND * face.eye_distance).min(0.35 * room);
+                for point in brow {
+                    self.add(landmarks[point] + shift, 1.0, depth[point], &[(point, 1.0)]);
+                }
+                for (corner, outwards) in corners.into_iter().zip([-1.0, 1.0]) {
+                    let above = face.vector(0.04 * outwards * face.eye_distance, -0.4 * room);
+                    self.add(landmarks[corner] + above, 1.0, depth[corner], &[(corner, 1.0)]);
+                }
+            }
         }
     }
 
@@ -187,10 +222,13 @@ impl VertexSet {
     }
 }
 
+/// Bones of the chin, in equal parts.
+const CHIN: [(usize, f64); 3] = [(7, 1.0 / 3.0), (8, 1.0 / 3.0), (9, 1.0 / 3.0)];
+
 /// Lash band, in eye heights; covers the lash line of photos and cartoons alike.
 const LASH_BAND: f64 = 0.3;
-/// Half of a brow, in outer-eye distances.
-const BROW_BAND: f64 = 0.05;
+/// Thickness of a brow below its landmarks, which lie on its upper edge, in outer-eye distances.
+const BROW_BAND: f64 = 0.1;
 /// Bands thinner than this (outer-eye distances) are left out.
 const MIN_BAND: f64 = 0.05;
 

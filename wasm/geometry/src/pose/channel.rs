@@ -49,9 +49,9 @@ pub const CHANNELS: [(&str, f64, f64); N_CHANNELS] = [
     ("brow_right", -1.0, 1.0),
     ("gaze_x", -1.0, 1.0),
     ("gaze_y", -1.0, 1.0),
-    ("yaw", -30.0, 30.0),
-    ("pitch", -25.0, 25.0),
-    ("roll", -45.0, 45.0),
+    ("yaw", -25.0, 25.0),
+    ("pitch", -15.0, 15.0),
+    ("roll", -30.0, 30.0),
 ];
 
 /// Articulator values and landmark offsets (outer-eye distances, from rest); both add up.

@@ -14,10 +14,12 @@ const LID_FOLLOWS_UP: f64 = 0.1;
 const SMILE_LIFTS_LID: f64 = 0.08;
 
 // Brow motion in outer-eye distances.
-const BROW_UP: f64 = 0.11;
+const BROW_UP: f64 = 0.09;
 const BROW_DOWN: f64 = 0.05;
 const BROW_IN: f64 = 0.02;
 const BROW_DIP: f64 = 0.025; // with a full blink
+/// Share of the room between brow and lid that a brow may sink by.
+const BROW_ROOM: f64 = 0.15;
 
 /// Adds lids and brows to `points`, which are the resting landmarks or a pose of them.
 pub fn articulate(points: &mut Landmarks, rest: &Landmarks, face: &Face, pose: &Pose) {
@@ -28,7 +30,10 @@ pub fn articulate(points: &mut Landmarks, rest: &Landmarks, face: &Face, pose: &
     for (opening, blink, brow, brow_points, inwards) in eyes {
         let (blink, brow) = (pose.value(blink), pose.value(brow));
         move_lids(points, rest, opening, blink, pose);
-        let rise = brow * if brow > 0.0 { BROW_UP } else { BROW_DOWN } - BROW_DIP * blink.max(0.0);
+        let middle = brow_points.start + 2;
+        let room = (rest[opening.upper()[1]] - rest[middle]).dot(face.down) / face.eye_distance;
+        let sink = (BROW_DOWN * (-brow).max(0.0) + BROW_DIP * blink.max(0.0)).min(BROW_ROOM * room.max(0.0));
+        let rise = BROW_UP * brow.max(0.0) - sink;
         let inward = inwards * BROW_IN * (-brow).max(0.0);
         let shift = face.vector(inward * face.eye_distance, -rise * face.eye_distance);
         for point in &mut points[brow_points] {

@@ -6,7 +6,8 @@ use crate::opening::Opening;
 use crate::point::Point;
 
 // Ranges of motion at full deflection, in mouth widths (own choice within the limits of published sliders).
-const JAW_DROP: f64 = 0.5;
+const WIDEST_GAPE: f64 = 0.52; // between the inner lips
+const LEAST_DROP: f64 = 0.25; // of a mouth that rests open
 const CHIN_SHARE: f64 = 0.85; // of the lower lip's drop; the lip itself stretches for the rest
 const CORNER_SHARE: f64 = 0.3; // of the drop, at the mouth corners
 const CORNER_IN_BY_JAW: f64 = 0.06;
@@ -40,6 +41,8 @@ pub fn articulate(points: &mut Landmarks, rest: &Landmarks, face: &Face, pose: &
     let width = face.mouth_width;
     let centre = rest[48].lerp(rest[54], 0.5);
     let jaw = pose.value(Channel::Jaw);
+    let rest_gape = (rest[66] - rest[62]).dot(face.down).max(0.0) / width;
+    let drop = (WIDEST_GAPE - rest_gape).max(LEAST_DROP) * jaw;
     let smile = pose.value(Channel::Smile);
     let spread = pose.value(Channel::Width);
     let stretch = spread * if spread > 0.0 { WIDEN } else { NARROW }
@@ -50,23 +53,22 @@ pub fn articulate(points: &mut Landmarks, rest: &Landmarks, face: &Face, pose: &
         let across = ((rest[i] - centre).dot(face.right) / (0.5 * width)).clamp(-1.0, 1.0);
         let (rim, bow) = (across * across, 1.0 - across * across);
         let lift = SMILE_UP * smile * rim;
-        let drop = match side(i) {
-            Side::Corner => CORNER_SHARE * JAW_DROP * jaw,
+        let lowered = match side(i) {
+            Side::Corner => CORNER_SHARE * drop,
             Side::Upper => {
-                CORNER_SHARE * JAW_DROP * jaw * rim * rim
+                CORNER_SHARE * drop * rim * rim
                     - UPPER_RAISE * pose.value(Channel::UpperRaise) * bow
                     - ROUND_POUT * pose.value(Channel::Round) * bow
             }
             Side::Lower => {
-                JAW_DROP * jaw * (CORNER_SHARE + (1.0 - CORNER_SHARE) * bow)
-                    - LOWER_RAISE * pose.value(Channel::LowerRaise) * bow
+                drop * (CORNER_SHARE + (1.0 - CORNER_SHARE) * bow) - LOWER_RAISE * pose.value(Channel::LowerRaise) * bow
                     + ROUND_POUT * pose.value(Channel::Round) * bow
             }
         };
-        points[i] += face.vector(stretch * across * width, (drop - lift) * width);
+        points[i] += face.vector(stretch * across * width, (lowered - lift) * width);
     }
     for (point, weight) in points.iter_mut().zip(CONTOUR) {
-        *point += face.down * (weight * CHIN_SHARE * JAW_DROP * jaw * width);
+        *point += face.down * (weight * CHIN_SHARE * drop * width);
     }
     for point in &mut points[31..36] {
         *point += face.down * (-0.15 * UPPER_RAISE * pose.value(Channel::UpperRaise) * width);
@@ -92,8 +94,8 @@ fn press_lips(points: &mut Landmarks, face: &Face, press: f64) {
         points[lower] += shifts[pair].1 * 0.85 - thin;
     }
     for (upper, lower, pair) in [(49, 59, 0), (53, 55, 2)] {
-        points[upper] += shifts[pair].0 * 0.5;
-        points[lower] += shifts[pair].1 * 0.5;
+        points[upper] += shifts[pair].0 * 0.7;
+        points[lower] += shifts[pair].1 * 0.7;
     }
 }
 
