@@ -17,7 +17,7 @@ class Sheet:
 
     `target` f32 [H, W, 3]; `weight` f32 [H, W] of the squared error; `claim` f32 [H, W]: weight of the error when
     places for new paths are sought, 0 where another layer must explain it; `owner` i64 [H, W]: group of a path seeded
-    there.
+    there. `quota`: least share of every level's new paths that start here; `most_radius` of these in px.
     """
 
     below: int
@@ -25,6 +25,8 @@ class Sheet:
     weight: NDArray[np.float32]
     claim: NDArray[np.float32]
     owner: NDArray[np.int64]
+    quota: float = 0.0
+    most_radius: float = np.inf
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from vectortalker.vectorize.level import Level
+from vectortalker.vectorize.level import FIRST_LOCAL, Level
 from vectortalker.vectorize.losses import Fidelity, confine_fore, evaluate
 from vectortalker.vectorize.options import Settings
 from vectortalker.vectorize.painted import compensate
@@ -130,13 +130,16 @@ def _iterate(
     move(population, result.gradients, ingredients.rates.scaled(iteration.rate), level.frame, settings.opaque)
     if iteration.moved_radius is None or result.importance is None:
         return population
-    weak = least_important(result.importance)
+    weak = least_important(result.importance[: population.below(FIRST_LOCAL)])
     kept = take(population, np.setdiff1d(np.arange(len(population)), weak))
     gradient = settings.fills == "gradient"
     return seed(kept, level, len(weak), iteration.moved_radius, ingredients, gradient, generator)
 
 
 def least_important(importance: NDArray[np.float64]) -> NDArray[np.int64]:
-    """Indices of the paths to move: the weakest, under `LEAST_IMPORTANCE` of the mean, `MOST_MOVED` of all at most."""
+    """Indices of the paths to move: the weakest, under `LEAST_IMPORTANCE` of the mean, `MOST_MOVED` of all at most.
+
+    Local paths are left out by the caller: eyes are small, and what looks useless there is a highlight.
+    """
     order = np.argsort(importance, kind="stable")[: int(MOST_MOVED * len(importance))]
     return order[importance[order] < LEAST_IMPORTANCE * importance.mean()]

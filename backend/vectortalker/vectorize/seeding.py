@@ -64,13 +64,19 @@ def _places(
 
 
 def _peak_places(level: Level, residuals: list[NDArray[np.float32]], count: int, radius: float) -> list[Place]:
-    """Coherent peaks; what does not fit at one spacing is sought at half of it."""
+    """Coherent peaks: first every sheet's quota, then wherever they are highest; what is left at half the spacing."""
     places: list[Place] = []
+    for index, sheet in enumerate(level.sheets):
+        reach = min(radius, sheet.most_radius)
+        if sheet.quota:
+            energy = coherent_energy(residuals[index], sheet.claim, reach)[None]
+            centres, _ = greedy_maxima(energy, reach, round(sheet.quota * count))
+            places += [((int(x), int(y)), index, reach) for x, y in centres]
     for _ in range(ROUNDS):
+        if len(places) == count:
+            break
         energies = [coherent_energy(r, s.claim, radius) for r, s in zip(residuals, level.sheets, strict=True)]
         centres, sheets = greedy_maxima(np.stack(energies), radius, count - len(places))
         places += [((int(x), int(y)), int(sheet), radius) for (x, y), sheet in zip(centres, sheets, strict=True)]
-        if len(places) == count:
-            break
         radius *= CROWDING
     return places

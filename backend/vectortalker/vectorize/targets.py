@@ -1,17 +1,21 @@
-"""A portrait becomes what every level fits: the smoothed stack, resized."""
+"""A portrait becomes what every level fits: the smoothed stack, and the layers with what they hide from each other."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
+import vectortalker_core as core
 from numpy.typing import NDArray
+from PIL import Image
 
 from vectortalker import smooth
 from vectortalker.decode import Portrait
+from vectortalker.masks import segment
 from vectortalker.schema import Landmarks
-from vectortalker.vectorize.frame import Frame
-from vectortalker.vectorize.level import FORE, Level, single_sheet_level
+from vectortalker.vectorize.frame import Frame, to_frame
+from vectortalker.vectorize.layering import LayerImages, layer_images, layered_level
+from vectortalker.vectorize.level import BACK, FORE, Level, single_sheet_level
 from vectortalker.vectorize.options import Settings
 from vectortalker.vectorize.resize import resize
 from vectortalker.vectorize.schedule import LevelPlan
@@ -19,15 +23,26 @@ from vectortalker.vectorize.schedule import LevelPlan
 
 @dataclass(frozen=True)
 class Targets:
-    """`stack`: f32 [h, w, 3], coarse to fine; `canvas` f32 [3]; `openings`: outlines [3S, 2] in portrait px."""
+    """`stack`: f32 [h, w, 3], coarse to fine; `canvas` f32 [3]; `openings`: outlines [3S, 2] in portrait px.
+
+    `layers` is None where everything belongs to one `group`: without a person, or when the user wants one layer.
+    """
 
     stack: tuple[NDArray[np.float32], ...]
     canvas: NDArray[np.float32]
     openings: tuple[NDArray[np.float64], ...]
+    layers: LayerImages | None
+    group: int
+    frame: Frame
 
     def level(self, index: int, level_plan: LevelPlan) -> Level:
         """Targets of level `index` at its resolution."""
-        return single_sheet_level(resize(self.stack[index], level_plan.frame), FORE, self.canvas)
+        smoothed = resize(self.stack[index], level_plan.frame)
+        if self.layers is None:
+            return single_sheet_level(smoothed, self.group, self.canvas)
+        stretch = np.array(level_plan.frame) / (self.frame.width, self.frame.height)
+        openings = tuple(to_frame(outline, self.frame) * stretch for outline in self.openings)
+        return layered_level(self.layers, smoothed, openings, self.canvas)
 
 
 def prepare(
@@ -38,10 +53,22 @@ def prepare(
     settings: Settings,
     plans: list[LevelPlan],
 ) -> Targets:
-    """Targets of a portrait; the canvas has its mean colour."""
+    """Segment and smooth; `picture` u8 [H, W, 3] is the portrait at the working size, the canvas has its mean colour.
+
+    Without layers everything is fore if there is a person, so that it can be posed, and back if there is none.
+    """
     image = picture.astype(np.float32) / np.float32(255)
     canvas = np.rint(picture.reshape(-1, 3).mean(axis=0)).astype(np.float32) / np.float32(255)
-    return Targets(smoothed_stack(image, plans), canvas, ())
+    stack = smoothed_stack(image, plans)
+    points = None if landmarks is None else np.array(landmarks.points, np.float64)
+    placed = None if points is None else to_frame(points, frame)
+    masks = segment(picture, placed, _scaled_alpha(portrait, frame))
+    if not settings.layers or not masks.has_person:
+        return Targets(stack, canvas, (), None, FORE if masks.has_person else BACK, frame)
+    outlines = () if points is None else tuple(outline for _, outline, _ in core.opening_outlines(points))
+    placed_outlines = tuple(to_frame(outline, frame) for outline in outlines)
+    layers = layer_images(image, masks.fore, placed, _iris_discs(landmarks, frame), placed_outlines)
+    return Targets(stack, canvas, outlines, layers, FORE, frame)
 
 
 def smoothed_stack(image: NDArray[np.float32], plans: list[LevelPlan]) -> tuple[NDArray[np.float32], ...]:
@@ -50,3 +77,17 @@ def smoothed_stack(image: NDArray[np.float32], plans: list[LevelPlan]) -> tuple[
         return (image,)
     coarse = resize(image, max(level_plan.frame for level_plan in plans[:-1]))
     return (*(level.image for level in smooth.stack(coarse, len(plans))[:-1]), image)
+
+
+def _scaled_alpha(portrait: Portrait, frame: Frame) -> NDArray[np.uint8] | None:
+    if portrait.alpha is None:
+        return None
+    size = (frame.width, frame.height)
+    return np.asarray(Image.fromarray(portrait.alpha).resize(size, Image.Resampling.LANCZOS))
+
+
+def _iris_discs(landmarks: Landmarks | None, frame: Frame) -> tuple[tuple[NDArray[np.float64], float], ...]:
+    """Centre [2] and radius of the irises in working px, image-left first."""
+    if landmarks is None or landmarks.irises is None:
+        return ()
+    return tuple((to_frame(np.array(iris.centre), frame), iris.radius * frame.scale) for iris in landmarks.irises)
