@@ -110,7 +110,7 @@ class Serving:
     def stop(self) -> None:
         self.client.close()
         self.process.terminate()
-        self.process.wait(timeout=10)
+        assert self.process.wait(timeout=10) == 0
 
 
 @pytest.fixture(scope="session")

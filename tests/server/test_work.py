@@ -17,7 +17,7 @@ from .conftest import Serving, wait_until
 from .pictures import face_points, picture
 
 TINY = {"paths": 32, "levels": 2, "iterations": 4, "final_iterations": 4, "working_size": 128}
-ENDLESS = {"paths": 400, "levels": 5, "iterations": 5000, "final_iterations": 20000, "working_size": 512}
+ENDLESS = {"paths": 64, "levels": 2, "iterations": 5000, "final_iterations": 20000, "working_size": 128}
 LONG_LAST_LEVEL = {**TINY, "levels": 3, "final_iterations": 20000}
 
 

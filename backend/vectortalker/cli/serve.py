@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 import os
+import signal
+import sys
 import threading
 from pathlib import Path
 
@@ -23,6 +25,7 @@ def run(options: argparse.Namespace) -> None:
     """Until a signal ends it; the workers end with it."""
     import uvicorn
 
+    from vectortalker.server import portraits
     from vectortalker.server.app import create_app
     from vectortalker.server.services import open_services
     from vectortalker.server.settings import LOOPBACK, Settings, data_folder
@@ -38,6 +41,9 @@ def run(options: argparse.Namespace) -> None:
         timeout_graceful_shutdown=SHUTDOWN_SECONDS,
         server_header=False,
     )
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda *_: sys.exit())  # uvicorn raises the signal again when it has shut down
+    threading.Thread(target=portraits.warm_up, name="warm-up", daemon=True).start()
     stop = threading.Event()
     supervisor = threading.Thread(target=Supervisor(services).run, args=[stop], name="supervisor")
     supervisor.start()

@@ -1,4 +1,4 @@
-"""One SQLite connection with short transactions, shared by the threads of a process."""
+"""SQLite with short transactions, shared by the threads of a process: one connection writes, one reads."""
 
 from __future__ import annotations
 
@@ -12,32 +12,40 @@ BUSY_SECONDS = 10.0  # longer than any transaction here by three orders of magni
 
 
 class Database:
+    """In WAL mode a reader never waits for a writer; having its own connection, not within this process either."""
+
     def __init__(self, path: Path, tables: str) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
-        self._lock = threading.Lock()
-        self._connection = sqlite3.connect(path, timeout=BUSY_SECONDS, isolation_level=None, check_same_thread=False)
-        self._connection.row_factory = sqlite3.Row
-        self._connection.execute("PRAGMA journal_mode = wal")
-        self._connection.execute("PRAGMA synchronous = normal")
-        self._connection.executescript(tables)
+        self._writing, self._reading = threading.Lock(), threading.Lock()
+        self._writer = _connect(path)
+        self._writer.execute("PRAGMA journal_mode = wal")
+        self._writer.executescript(tables)
+        self._reader = _connect(path)
 
     def rows(self, query: str, *values: object) -> list[sqlite3.Row]:
-        """Read without a transaction; in WAL mode readers never wait."""
-        with self._lock:
-            return self._connection.execute(query, values).fetchall()
+        with self._reading:
+            return self._reader.execute(query, values).fetchall()
 
     @contextmanager
     def change(self) -> Iterator[sqlite3.Connection]:
         """A write transaction, rolled back if the block raises."""
-        with self._lock:
-            self._connection.execute("BEGIN IMMEDIATE")
+        with self._writing:
+            self._writer.execute("BEGIN IMMEDIATE")
             try:
-                yield self._connection
+                yield self._writer
             except BaseException:
-                self._connection.execute("ROLLBACK")
+                self._writer.execute("ROLLBACK")
                 raise
-            self._connection.execute("COMMIT")
+            self._writer.execute("COMMIT")
 
     def close(self) -> None:
-        with self._lock:
-            self._connection.close()
+        with self._writing, self._reading:
+            self._reader.close()
+            self._writer.close()
+
+
+def _connect(path: Path) -> sqlite3.Connection:
+    connection = sqlite3.connect(path, timeout=BUSY_SECONDS, isolation_level=None, check_same_thread=False)
+    connection.row_factory = sqlite3.Row
+    connection.execute("PRAGMA synchronous = normal")
+    return connection

@@ -22,7 +22,7 @@ Wish = Literal["go_on", "finish", "stop"]  # what the user wants of a running jo
 
 ENDED = ("done", "failed", "cancelled")
 LEASE_SECONDS = 5.0  # supervisors renew every second; a server that died is noticed after this
-MAX_ATTEMPTS = 2
+MAX_DEATHS = 2  # of workers, on one job
 ORPHAN_SECONDS = 5.0  # a queued job without a queue entry is entered again after this
 
 TABLES = """
@@ -34,7 +34,7 @@ CREATE TABLE IF NOT EXISTS jobs (
     phase TEXT NOT NULL,
     state TEXT NOT NULL,               -- JobState; its queue position is counted on reading
     finish INTEGER NOT NULL DEFAULT 0,
-    attempts INTEGER NOT NULL DEFAULT 0,
+    deaths INTEGER NOT NULL DEFAULT 0, -- of workers that held it
     holder TEXT,                       -- worker
     lease REAL NOT NULL DEFAULT 0,     -- epoch seconds
     started REAL NOT NULL DEFAULT 0,
@@ -145,7 +145,7 @@ class Jobs:
             if row is None:
                 return None
             sql.execute(
-                "UPDATE jobs SET holder = ?, lease = ?, started = ?, attempts = attempts + 1 WHERE id = ?",
+                "UPDATE jobs SET holder = ?, lease = ?, started = ? WHERE id = ?",
                 (worker, now + LEASE_SECONDS, now, job_id),
             )
             _store(sql, row, phase="running", stage="starting")
@@ -157,6 +157,11 @@ class Jobs:
         if not rows or rows[0]["phase"] != "running" or rows[0]["holder"] != worker:
             return "stop"
         return "finish" if rows[0]["finish"] else "go_on"
+
+    def is_unwanted(self, job_id: str) -> bool:
+        """Cancelled or forgotten: nobody will ask for its files."""
+        rows = self._database.rows("SELECT phase FROM jobs WHERE id = ?", job_id)
+        return not rows or rows[0]["phase"] == "cancelled"
 
     def report(self, job_id: str, worker: str, **fields: object) -> None:
         """Store the next snapshot of a running job; nothing if it is no longer this worker's to run."""
@@ -190,14 +195,19 @@ class Jobs:
         )
         return [Held(row["id"], row["holder"]) for row in rows]
 
-    def give_up(self, worker: str) -> None:
-        """The worker has died: its lease ends now."""
+    def blame(self, worker: str) -> None:
+        """The worker died by itself, perhaps of what it was doing."""
+        with self._database.change() as sql:
+            sql.execute("UPDATE jobs SET deaths = deaths + 1 WHERE holder = ?", (worker,))
+
+    def dismiss(self, worker: str) -> None:
+        """The worker is gone: its lease ends now."""
         with self._database.change() as sql:
             sql.execute("DELETE FROM workers WHERE name = ?", (worker,))
             sql.execute("UPDATE jobs SET lease = 0 WHERE holder = ?", (worker,))
 
     def recover(self) -> list[str]:
-        """Jobs whose worker has died are queued once more (these are returned), then failed."""
+        """Queue the jobs of workers that are gone again, and return them; fail those that too many died of."""
         now = time.time()
         if not self._database.rows("SELECT 1 FROM jobs WHERE holder IS NOT NULL AND lease < ? LIMIT 1", now):
             return []
@@ -205,11 +215,11 @@ class Jobs:
         with self._database.change() as sql:
             for row in sql.execute("SELECT * FROM jobs WHERE holder IS NOT NULL AND lease < ?", (now,)).fetchall():
                 sql.execute("UPDATE jobs SET holder = NULL WHERE id = ?", (row["id"],))
-                if row["phase"] == "running" and row["attempts"] < MAX_ATTEMPTS:
+                if row["phase"] == "running" and row["deaths"] < MAX_DEATHS:
                     _store(sql, row, phase="queued", stage="waiting after its worker stopped")
                     queued.append(row["id"])
                 elif row["phase"] == "running":
-                    message = f"The worker stopped unexpectedly {MAX_ATTEMPTS} times on this job: try other options."
+                    message = f"The worker stopped unexpectedly {MAX_DEATHS} times on this job: try other options."
                     _store(sql, row, phase="failed", stage="failed", error=ApiError(code="internal", message=message))
         return queued
 

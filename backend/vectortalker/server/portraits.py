@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import secrets
 
+import numpy as np
 from PIL import Image
 
 from vectortalker import decode, schema
@@ -63,6 +64,13 @@ def faces(blobs: Blobs, portrait_id: str) -> schema.Faces:
     found = landmarks.to_wire(landmarks.detect(portrait.rgb), portrait.width, portrait.height)
     blobs.put(key, found.model_dump_json().encode())
     return found
+
+
+def warm_up() -> None:
+    """Load the models of `faces`, so that the first user need not wait."""
+    from vectortalker import landmarks
+
+    landmarks.detect(np.full((64, 64, 3), 128, np.uint8))
 
 
 def delete(blobs: Blobs, portrait_id: str) -> None:

@@ -70,6 +70,7 @@ class Supervisor:
     def _keep_alive(self, place: _Place) -> None:
         if place.process is not None and place.process.poll() is not None:
             log.warning("worker %s ended with code %s", place.worker, place.process.returncode)
+            self._services.jobs.blame(place.worker)
             self._end(place)
         if place.process is None and time.monotonic() - place.started > RESTART_SECONDS:
             place.started = time.monotonic()
@@ -90,5 +91,5 @@ class Supervisor:
         if place.process is not None:
             place.process.kill()
             place.process.wait()
-            self._services.jobs.give_up(place.worker)
+            self._services.jobs.dismiss(place.worker)
             place.process = None

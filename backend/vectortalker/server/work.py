@@ -26,7 +26,8 @@ def do_job(services: Services, job_id: str) -> None:
     try:
         KINDS[kind](run)
     except StoppedError:
-        services.blobs.delete_folder(folder(job_id))
+        if services.jobs.is_unwanted(job_id):
+            services.blobs.delete_folder(folder(job_id))
     except VectorTalkerError as error:
         run.report(phase="failed", stage="failed", error=ApiError(code=error.code, message=error.message))
     except Exception as error:  # the border of a worker: a fault of ours fails this job, not the next
