@@ -7,7 +7,6 @@ from pathlib import Path
 import av
 import numpy as np
 import pytest
-
 from vectortalker.errors import VectorTalkerError
 from vectortalker.speech import audio
 from vectortalker.speech.audio import RATE, mono_chunks

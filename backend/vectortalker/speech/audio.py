@@ -7,6 +7,7 @@ from pathlib import Path
 
 import av
 import numpy as np
+from av.container import InputContainer
 from av.error import FFmpegError
 from numpy.typing import NDArray
 
@@ -39,7 +40,7 @@ def mono_chunks(path: Path) -> Iterator[Samples]:
         raise _bad(f"{path.name} has a sound stream without a single sample.")
 
 
-def _resampled(container: av.container.InputContainer) -> Iterator[Samples]:
+def _resampled(container: InputContainer) -> Iterator[Samples]:
     resampler = av.AudioResampler(format="flt", layout="mono", rate=RATE)
     for frame in container.decode(audio=0):
         frame.pts = None  # gaps in the time stamps of a stream would become silence of any length

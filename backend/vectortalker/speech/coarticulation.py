@@ -2,9 +2,9 @@
 
 The blend is by dominance functions (Cohen and Massaro 1993, "Modeling coarticulation in synthetic visual speech",
 equations 1 to 3): every block pulls each channel towards its target with a strength that decays exponentially with
-distance, and the curve is the mean of the targets weighted by strength. Here distance is counted from the middle half of
-a block rather than from its centre, so that long vowels have a plateau. Closures are then laid over the blend, because a
-mean never closes.
+distance, and the curve is the mean of the targets weighted by strength. Here distance is counted from the middle half
+of a block rather than from its centre, so that long vowels have a plateau. Closures are then laid over the blend,
+because a mean never closes.
 """
 
 from __future__ import annotations

@@ -1,0 +1,57 @@
+"""Turns normalised log-mel frames into viseme posteriors and articulators, 50 a second, by the committed network.
+
+The network is a stack of dilated convolutions over time (`scripts/speech/network.py`). An output needs 1.8 s of the
+past and 100 ms of the future at most, so a long clip is run in chunks that overlap by that much, with the same answer.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import onnxruntime
+from numpy.typing import NDArray
+
+from vectortalker.speech.features import Frames
+from vectortalker.speech.visemes import CHANNELS, VISEMES
+
+MODEL = Path(__file__).parent / "model" / "speech.onnx"
+N_THREADS = 2
+STRIDE = 2  # 10 ms frames in, 20 ms frames out
+PAST, FUTURE = 90, 5  # output frames that an output depends on, rounded up from the network's 86 and 4
+CHUNK = 1500  # output frames: 30 s
+
+
+@dataclass(frozen=True)
+class Heard:
+    """What the network makes of n frames of 20 ms: log posteriors [n, 15] of VISEMES, and [n, 7] of CHANNELS."""
+
+    log_posteriors: NDArray[np.float32]
+    articulators: NDArray[np.float32]
+
+
+def hear(frames: Frames, progress: Callable[[float], None] = lambda done: None) -> Heard:
+    """Frames [m, N_MELS] at 100 Hz, normalised, to ⌊m / 2⌋ outputs. `progress` is told the done share."""
+    n_out = len(frames) // STRIDE
+    logits = np.empty((n_out, len(VISEMES)), np.float32)
+    articulators = np.empty((n_out, len(CHANNELS)), np.float32)
+    for start in range(0, n_out, CHUNK):
+        end = min(n_out, start + CHUNK)
+        first, last = max(0, start - PAST), min(n_out, end + FUTURE)
+        inputs = frames[None, STRIDE * first : STRIDE * last].astype(np.float32)
+        outputs = [np.asarray(output) for output in _session().run(None, {"frames": inputs})]
+        logits[start:end], articulators[start:end] = (output[0, start - first : end - first] for output in outputs)
+        progress(end / n_out)
+    peaks = logits.max(axis=1, keepdims=True, initial=0)
+    totals = peaks + np.log(np.exp(logits - peaks).sum(axis=1, keepdims=True))
+    return Heard(logits - totals, articulators)
+
+
+@cache
+def _session() -> onnxruntime.InferenceSession:
+    options = onnxruntime.SessionOptions()
+    options.intra_op_num_threads = N_THREADS
+    return onnxruntime.InferenceSession(MODEL.read_bytes(), options, providers=["CPUExecutionProvider"])

@@ -1,0 +1,237 @@
+"""Scores speech to track on clips whose phones are known, never trained on, beside pocketsphinx's all-phone recogniser.
+
+    python scripts/speech/evaluate.py CORPUS_FOLDER [--baseline] [--transcripts] [--card speech.json]
+
+`--baseline` needs pocketsphinx 5 to be installed; `--transcripts` espeak-ng. `--card` adds the figures to the card.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+import numpy as np
+from phone_sets import RADIO, ipa
+from vectortalker.errors import VectorTalkerError
+from vectortalker.speech import Options, as_landmarks, track_from_blocks
+from vectortalker.speech.alignment import align
+from vectortalker.speech.coarticulation import FPS, Blend, articulate
+from vectortalker.speech.decoding import decode
+from vectortalker.speech.features import levels, log_mels, normalised
+from vectortalker.speech.network import Heard, hear
+from vectortalker.speech.track import weighted
+from vectortalker.speech.transcript import words_of
+from vectortalker.speech.visemes import SILENCE, VISEMES, Block, blocks_of_phones, classes_at
+
+PARTS = ("voices", "languages", "festival", "noisy")
+CLOSED = 0.02  # inner gap in mouth widths
+TOLERANCE = 0.04  # seconds around a closure
+MAX_LAG = 10  # frames searched either way
+PP, FF = VISEMES.index("PP"), VISEMES.index("FF")
+SHWA_RIVALS = (VISEMES.index("aa"), VISEMES.index("E"))  # the recogniser has one phone, AH, for both
+
+
+@dataclass(frozen=True)
+class Clip:
+    voice: str
+    language: str
+    text: str
+    samples: np.ndarray
+    blocks: list[Block]
+    n_frames: int
+
+
+@dataclass(frozen=True)
+class Scores:
+    n_clips: int
+    seconds: float
+    frame_accuracy: float
+    speech_accuracy: float  # of frames that are not silence
+    closure_recall: float
+    closure_precision: float
+    jaw_correlation: float
+    lag_ms: float
+
+
+def clips_of(path: Path) -> list[Clip]:
+    archive = np.load(path)
+    samples = np.split(archive["samples"], np.cumsum(archive["n_samples"])[:-1])
+    rows = archive["blocks"]
+    clips = []
+    for index, n_frames in enumerate(archive["lengths"]):
+        blocks = [Block(float(t), float(d), VISEMES[int(k)]) for _, t, d, k in rows[rows[:, 0] == index]]
+        voice, language, text = (str(archive[key][index]) for key in ("voice", "language", "text"))
+        clips.append(Clip(voice, language, text, samples[index].astype(np.float32) / 32768, blocks, int(n_frames)))
+    return clips
+
+
+def score(clips: list[Clip], recognise: Callable[[Clip], list[Block]], is_lenient: bool = False) -> Scores:
+    """Pooled over all frames and closures of `clips`. Clips that `recognise` refuses count as silence."""
+    right, spoken_right, spoken, total = 0, 0, 0, 0
+    found, wanted, true_runs, runs = 0, 0, 0, 0
+    jaws, lags = [], []
+    for clip in clips:
+        times = np.arange(clip.n_frames) / FPS
+        blocks = recognise(clip)
+        truth, guess = classes_at(clip.blocks, times), classes_at(blocks, times)
+        hits = truth == guess
+        if is_lenient:
+            hits |= np.isin(truth, SHWA_RIVALS) & np.isin(guess, SHWA_RIVALS)
+        right, total = right + int(hits.sum()), total + len(hits)
+        spoken_right, spoken = spoken_right + int(hits[truth != SILENCE].sum()), spoken + int((truth != SILENCE).sum())
+        track = track_from_blocks(blocks, np.zeros(clip.n_frames), Options(gains={"head": 0}), clip.voice)
+        gap = lip_gap(as_landmarks(track).landmarks)
+        counts = closure_counts(gap < CLOSED, truth)
+        found, wanted, true_runs, runs = (a + b for a, b in zip((found, wanted, true_runs, runs), counts, strict=True))
+        reference = articulate(clip.blocks, clip.n_frames, Blend())[:, 0]
+        jaw = np.array((track.articulators or {})["jaw"])
+        jaws.append((reference, jaw))
+        lags.append(_lag(reference, jaw))
+    reference, jaw = (np.concatenate(side) for side in zip(*jaws, strict=True))
+    return Scores(
+        n_clips=len(clips),
+        seconds=round(total / FPS, 1),
+        frame_accuracy=round(right / total, 4),
+        speech_accuracy=round(spoken_right / spoken, 4),
+        closure_recall=round(found / max(1, wanted), 4),
+        closure_precision=round(true_runs / max(1, runs), 4),
+        jaw_correlation=round(float(np.corrcoef(reference, jaw)[0, 1]), 4),
+        lag_ms=round(float(np.median(lags)), 1),
+    )
+
+
+def lip_gap(landmarks: list | None) -> np.ndarray:
+    """Inner gap over mouth width [n] of offsets from the canonical face."""
+    from vectortalker.speech.landmarks import rest_landmarks
+
+    points = np.array(landmarks) + rest_landmarks()
+    return np.abs(points[:, 66, 1] - points[:, 62, 1]) / np.linalg.norm(points[:, 54] - points[:, 48], axis=1)
+
+
+def closure_counts(is_closed: np.ndarray, truth: np.ndarray) -> tuple[int, int, int, int]:
+    """Closures of p b m found and wanted; closed runs that are right, and all runs.
+
+    A run is right if within the tolerance of its middle there is a p b m, or f v, or a pause, where lips close too.
+    """
+    reach = round(TOLERANCE * FPS)
+    found = wanted = right = runs = 0
+    for first, last in _runs(truth == PP):
+        wanted += 1
+        found += bool(is_closed[max(0, first - reach) : last + reach].any())
+    for first, last in _runs(is_closed):
+        middle = (first + last) // 2
+        runs += 1
+        right += bool(np.isin(truth[max(0, middle - reach) : middle + reach + 1], (PP, FF, SILENCE)).any())
+    return found, wanted, right, runs
+
+
+def _runs(flags: np.ndarray) -> list[tuple[int, int]]:
+    """First and one past the last index of each run of true flags."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], flags.astype(int), [0]])))
+    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+
+
+def _lag(reference: np.ndarray, jaw: np.ndarray) -> float:
+    """Milliseconds by which `jaw` is late against `reference`: the argmax of their cross-correlation."""
+    shifts = range(-MAX_LAG, MAX_LAG + 1)
+    scores = [
+        float(np.dot(reference[max(0, -s) : len(reference) - max(0, s)], jaw[max(0, s) : len(jaw) - max(0, -s)]))
+        for s in shifts
+    ]
+    return 1000 / FPS * shifts[int(np.argmax(scores))]
+
+
+def heard_in(clip: Clip) -> Heard:
+    return hear(normalised(log_mels([clip.samples])))
+
+
+def by_network(clip: Clip) -> list[Block]:
+    heard = heard_in(clip)
+    return weighted(decode(heard.log_posteriors), heard)
+
+
+def by_transcript(clip: Clip) -> list[Block]:
+    heard = heard_in(clip)
+    language = {"cmn": "cmn-latn-pinyin"}.get(clip.language, clip.language)
+    try:
+        return weighted(align(heard.log_posteriors, words_of(clip.text, language)), heard)
+    except VectorTalkerError as error:
+        print(f"  {clip.voice}: {error.message}")
+        return []
+
+
+def by_pocketsphinx() -> Callable[[Clip], list[Block]]:
+    from pocketsphinx import Decoder, get_model_path
+
+    models = get_model_path()
+    decoder = Decoder(
+        hmm=f"{models}/en-us/en-us",
+        allphone=f"{models}/en-us/en-us-phone.lm.bin",
+        lw=2.0,
+        beam=1e-20,
+        pbeam=1e-20,
+        loglevel="ERROR",
+    )
+
+    def recognise(clip: Clip) -> list[Block]:
+        decoder.start_utt()
+        decoder.process_raw((clip.samples * 32767).astype(np.int16).tobytes(), full_utt=True)
+        decoder.end_utt()
+        segments = list(decoder.seg() or [])
+        phones = [(s.start_frame / 100, (s.end_frame + 1) / 100, ipa(s.word.lower(), RADIO)) for s in segments]
+        return blocks_of_phones(phones)
+
+    return recognise
+
+
+def closed_without_speech(samples: np.ndarray) -> float:
+    """Share of frames with closed lips."""
+    frames = log_mels([samples.astype(np.float32)])
+    heard = hear(normalised(frames))
+    blocks = weighted(decode(heard.log_posteriors), heard)
+    track = track_from_blocks(blocks, levels(frames)[::2][: len(heard.articulators)].astype(float), Options(), "none")
+    return float((lip_gap(as_landmarks(track).landmarks) < CLOSED).mean())
+
+
+def quiet_scores(seed: int) -> dict[str, float]:
+    """Silence, and pink noise at three levels, ten seconds each."""
+    generator = np.random.default_rng(seed)
+    spectrum = np.fft.rfft(generator.standard_normal(160_000)) / np.sqrt(np.maximum(np.arange(80_001), 20))
+    pink = np.fft.irfft(spectrum)
+    pink /= np.abs(pink).max()
+    quiet = {"silence": np.zeros(160_000)} | {f"pink_{level}": level * pink for level in (0.9, 0.1, 0.01)}
+    return {name: round(closed_without_speech(samples), 4) for name, samples in quiet.items()}
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("corpus", type=Path)
+    parser.add_argument("--baseline", action="store_true")
+    parser.add_argument("--transcripts", action="store_true")
+    parser.add_argument("--card", type=Path)
+    options = parser.parse_args()
+    recognisers: dict[str, tuple[Callable[[Clip], list[Block]], bool]] = {"network": (by_network, False)}
+    if options.transcripts:
+        recognisers["transcript"] = (by_transcript, False)
+    if options.baseline:
+        recognisers["pocketsphinx"] = (by_pocketsphinx(), True)
+    figures: dict[str, dict] = {"closed_without_speech": quiet_scores(seed=7)}
+    print(figures)
+    for part in PARTS:
+        clips = clips_of(options.corpus / f"{part}.npz")
+        for maker in sorted({clip.voice.split()[0] for clip in clips}):
+            chosen = [clip for clip in clips if clip.voice.split()[0] == maker]
+            for name, (recognise, is_lenient) in recognisers.items():
+                scores = asdict(score(chosen, recognise, is_lenient))
+                figures.setdefault(f"{part}/{maker}", {})[name] = scores
+                print(f"{part}/{maker} {name}: {scores}", flush=True)
+    if options.card:
+        card = json.loads(options.card.read_text(encoding="utf-8")) | {"held_out": figures}
+        options.card.write_text(json.dumps(card, indent=2) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,115 @@
+"""Turns lines of text into speech whose phone times are exactly known, by three synthesisers that run as processes."""
+
+from __future__ import annotations
+
+import json
+import pickle
+import re
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from phone_sets import CZECH, FINNISH, RADIO, ROMANCE, ipa
+from scipy.io import wavfile
+
+Phones = list[tuple[float, float, str]]  # start, end (seconds), IPA; empty IPA: a pause
+
+FESTIVAL_VOICES = {  # voice: language of the sentences, phone set, encoding that Festival reads
+    "ked_diphone": ("en", RADIO, "ascii"),
+    "cmu_us_slt_arctic_hts": ("en", RADIO, "ascii"),
+    "lp_diphone": ("it", ROMANCE, "iso-8859-1"),
+    "suo_fi_lj_diphone": ("fi", FINNISH, "iso-8859-1"),
+    "czech_machac": ("cs", CZECH, "iso-8859-2"),
+}
+_DUMP = """(define (phones utt) (mapcar (lambda (s) (format t "%s %f|" (item.name s) (item.feat s "end")))
+  (utt.relation.items utt 'Segment)) (format t "\\n"))
+"""
+_LANGUAGE_SWITCH = re.compile(r"\([a-z-]+\)")
+
+
+@dataclass(frozen=True)
+class Utterance:
+    """Samples [n] within -1…1 at `rate` Hz."""
+
+    voice: str
+    language: str
+    text: str
+    rate: int
+    samples: np.ndarray
+    phones: Phones
+
+
+@dataclass(frozen=True)
+class EspeakWish:
+    """Rate in words a minute, pitch and range 0…100."""
+
+    language: str
+    variant: str
+    text: str
+    rate: int
+    pitch: int
+    range: int
+
+
+def espeak(wishes: Iterator[EspeakWish]) -> Iterator[Utterance]:
+    program = Path(__file__).with_name("espeak_events.py")
+    process = subprocess.Popen([sys.executable, str(program)], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    assert process.stdin and process.stdout
+    for wish in wishes:
+        voice = f"{wish.language}+{wish.variant}" if wish.variant else wish.language
+        line = {
+            "voice": voice,
+            "text": wish.text,
+            "rate": wish.rate,
+            "pitch": wish.pitch,
+            "range": wish.range,
+        }
+        process.stdin.write(json.dumps(line).encode() + b"\n")
+        process.stdin.flush()
+        rate, samples, events = pickle.load(process.stdout)
+        ends = [*(start for start, _ in events[1:]), len(samples) / rate]
+        phones = [
+            (start, end, _LANGUAGE_SWITCH.sub("", name)) for (start, name), end in zip(events, ends, strict=False)
+        ]
+        yield Utterance(f"espeak {voice}", wish.language, wish.text, rate, samples / np.float32(32768), phones)
+    process.stdin.close()
+    process.wait()
+
+
+def flite(voice: str, text: str) -> Utterance:
+    with tempfile.NamedTemporaryFile(suffix=".wav") as file:
+        command = ["flite", "-voice", voice, "-t", text, "-psdur", "-o", file.name]
+        told = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+        rate, samples = wavfile.read(file.name)
+    ends = [item.rsplit(":", 1) for item in told.split()]
+    return Utterance(f"flite {voice}", "en", text, rate, samples / np.float32(32768), _phones(ends, RADIO))
+
+
+def festival(voice: str, texts: list[str]) -> list[Utterance]:
+    language, table, encoding = FESTIVAL_VOICES[voice]
+    with tempfile.TemporaryDirectory() as folder:
+        script = Path(folder) / "speak.scm"
+        lines = [_DUMP, f"(voice_{voice})"]
+        for index, text in enumerate(texts):
+            spoken = text.replace('"', " ")
+            lines.append(f'(set! u (utt.synth (Utterance Text "{spoken}"))) (phones u)')
+            lines.append(f'(utt.save.wave u "{folder}/{index}.wav" \'riff)')
+        script.write_bytes("\n".join(lines).encode(encoding, "replace"))
+        told = subprocess.run(["festival", "-b", str(script)], check=True, capture_output=True, text=True).stdout
+        utterances = []
+        for index, row in enumerate(row for row in told.splitlines() if "|" in row):
+            rate, samples = wavfile.read(f"{folder}/{index}.wav")
+            ends = [item.split() for item in row.strip("|").split("|")]
+            phones = _phones(ends, table)
+            heard = samples / np.float32(32768)
+            utterances.append(Utterance(f"festival {voice}", language, texts[index], rate, heard, phones))
+    return utterances
+
+
+def _phones(ends: list[list[str]], table: dict[str, str]) -> Phones:
+    times = [float(end) for _, end in ends]
+    return [(start, end, ipa(name, table)) for (name, _), start, end in zip(ends, [0.0, *times], times, strict=False)]

@@ -1,0 +1,57 @@
+"""Turns a language into lines to speak: its sentences, numbers, and invented words that sound like its own."""
+
+from __future__ import annotations
+
+import json
+import random
+from collections import defaultdict
+from functools import cache
+from pathlib import Path
+
+SENTENCES = Path(__file__).with_name("sentences.json")
+SENTENCE_SHARE, NUMBER_SHARE = (
+    0.45,
+    0.15,
+)  # the rest are invented words, whose phones come in orders no sentence has
+ORDER = 2  # letters of context from which an invented word goes on
+WORD_LENGTH = (2, 11)  # letters
+
+
+def line(language: str, random_source: random.Random) -> str:
+    """A line of about 3 to 6 seconds in `language`, a key of `sentences.json`."""
+    sentences = _sentences()[language]
+    kind = random_source.random()
+    if kind < SENTENCE_SHARE or language == "cmn":  # Pinyin has no words to invent
+        return random_source.choice(sentences)
+    if kind < SENTENCE_SHARE + NUMBER_SHARE:
+        return ", ".join(str(random_source.randrange(10**n)) for n in (2, 3, 4))
+    words = [_invented(language, random_source) for _ in range(random_source.randint(6, 10))]
+    return " ".join(words).capitalize() + "."
+
+
+@cache
+def _sentences() -> dict[str, list[str]]:
+    return json.loads(SENTENCES.read_text(encoding="utf-8"))
+
+
+def _invented(language: str, random_source: random.Random) -> str:
+    table = _followers(language)
+    while True:
+        word = ""
+        while not word.endswith(" ") and len(word) <= WORD_LENGTH[1]:
+            word += random_source.choice(table[(" " * ORDER + word)[-ORDER:]])
+        if WORD_LENGTH[0] <= len(word.strip()) and word.endswith(" "):
+            return word.strip()
+
+
+@cache
+def _followers(language: str) -> dict[str, list[str]]:
+    """Letters that follow each pair of letters in the language's sentences, as often as they do."""
+    table = defaultdict(list)
+    for sentence in _sentences()[language]:
+        letters = "".join(letter if letter.isalpha() or letter == "'" else " " for letter in sentence.lower())
+        for word in letters.split():
+            padded = " " * ORDER + word + " "
+            for index in range(ORDER, len(padded)):
+                table[padded[index - ORDER : index]].append(padded[index])
+    return dict(table)

@@ -1,0 +1,180 @@
+"""Trains the network on a corpus and writes it as ONNX, with its card.
+
+python scripts/speech/train.py CORPUS_FOLDER [--seed 0] [--epochs 20] [--threads 1] [--out FOLDER]
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import torch
+from network import FUTURE, PAST, SpeechNetwork
+from torch import Tensor
+from torch.nn import functional
+from vectortalker.speech.features import N_MELS, normalised
+from vectortalker.speech.visemes import CHANNELS, VISEMES
+
+CROP = 200  # output frames: 4 s
+BATCH = 32
+PEAK_RATE = 3e-3
+LIP_WEIGHT = 3.0  # of errors of `press` and `lower_raise`, which make the closures
+ARTICULATOR_WEIGHT = 4.0  # of the mean square against the cross-entropy
+CLOSURE_WEIGHT = 1.5  # of PP and FF in the cross-entropy: a missed closure is what people see
+OPSET = 17
+MODEL_FOLDER = Path("backend/vectortalker/speech/model")
+
+
+@dataclass(frozen=True)
+class Clip:
+    frames: np.ndarray  # [2n, N_MELS], normalised
+    classes: np.ndarray  # [n]
+    articulators: np.ndarray  # [n, 7]
+
+
+def load(path: Path) -> list[Clip]:
+    archive = np.load(path)
+    cuts = np.cumsum(archive["lengths"])[:-1]
+    parts = zip(
+        np.split(archive["frames"], 2 * cuts),
+        np.split(archive["classes"], cuts),
+        np.split(archive["articulators"], cuts),
+        strict=True,
+    )
+    return [Clip(normalised(frames.astype(np.float32)), classes, curves) for frames, classes, curves in parts]
+
+
+def batch_of(clips: list[Clip], generator: np.random.Generator) -> tuple[Tensor, Tensor, Tensor]:
+    """Random crops, their spectra distorted. Beyond a clip's end: its last frame, silent as all ends are."""
+    frames = np.zeros((len(clips), 2 * CROP, N_MELS), np.float32)
+    classes = np.zeros((len(clips), CROP), np.int64)
+    articulators = np.zeros((len(clips), CROP, len(CHANNELS)), np.float32)
+    for row, clip in enumerate(clips):
+        start = int(generator.integers(max(1, len(clip.classes) - CROP + 1)))
+        n_frames = min(CROP, len(clip.classes) - start)
+        piece = clip.frames[2 * start : 2 * (start + n_frames)]
+        frames[row, : 2 * n_frames] = piece
+        frames[row, 2 * n_frames :] = piece[-1]
+        classes[row, :n_frames] = clip.classes[start : start + n_frames]
+        articulators[row, :n_frames] = clip.articulators[start : start + n_frames]
+    return (
+        torch.from_numpy(_distorted(frames, generator)),
+        torch.from_numpy(classes),
+        torch.from_numpy(articulators),
+    )
+
+
+def _distorted(frames: np.ndarray, generator: np.random.Generator) -> np.ndarray:
+    """Formants shifted by a warp of the mel axis, a smooth colour, a masked band and a masked moment."""
+    bands = np.arange(N_MELS)
+    result = np.empty_like(frames)
+    for row, clip in enumerate(frames):
+        places = np.clip(bands * generator.uniform(0.9, 1.1), 0, N_MELS - 1)
+        below = np.minimum(places.astype(int), N_MELS - 2)
+        share = (places - below).astype(np.float32)
+        warped = clip[:, below] * (1 - share) + clip[:, below + 1] * share
+        warped += np.interp(bands, np.linspace(0, N_MELS, 5), generator.normal(0, 0.5, 5)).astype(np.float32)
+        if generator.random() < 0.5:
+            band = int(generator.integers(N_MELS - 6))
+            warped[:, band : band + int(generator.integers(1, 6))] = 0
+        if generator.random() < 0.3:
+            moment = int(generator.integers(len(clip) - 10))
+            warped[moment : moment + int(generator.integers(2, 8))] = 0
+        result[row] = warped
+    return result
+
+
+def loss_of(network: SpeechNetwork, frames: Tensor, classes: Tensor, articulators: Tensor) -> Tensor:
+    logits, curves = (output.float() for output in network(frames))
+    weights = torch.ones(len(VISEMES))
+    weights[[VISEMES.index("PP"), VISEMES.index("FF")]] = CLOSURE_WEIGHT
+    crossed = functional.cross_entropy(logits.transpose(1, 2), classes, weights, label_smoothing=0.05)
+    channels = torch.ones(len(CHANNELS))
+    channels[[CHANNELS.index("press"), CHANNELS.index("lower_raise")]] = LIP_WEIGHT
+    return crossed + ARTICULATOR_WEIGHT * ((curves - articulators) ** 2 * channels).mean()
+
+
+def train(clips: list[Clip], seed: int, n_epochs: int) -> SpeechNetwork:
+    torch.manual_seed(seed)
+    generator = np.random.default_rng(seed)
+    network = SpeechNetwork()
+    optimiser = torch.optim.AdamW(network.parameters(), PEAK_RATE, weight_decay=1e-2)
+    n_steps = sum(len(clip.classes) for clip in clips) // (CROP * BATCH)
+    schedule = torch.optim.lr_scheduler.OneCycleLR(optimiser, PEAK_RATE, total_steps=n_epochs * n_steps, pct_start=0.15)
+    lengths = np.array([len(clip.classes) for clip in clips], float)
+    started = time.monotonic()
+    for epoch in range(n_epochs):
+        total = 0.0
+        for _ in range(n_steps):
+            chosen = generator.choice(len(clips), BATCH, p=lengths / lengths.sum())
+            batch = batch_of([clips[index] for index in chosen], generator)
+            with torch.autocast("cpu", torch.bfloat16):  # half the time on processors that multiply it
+                loss = loss_of(network, *batch)
+            optimiser.zero_grad()
+            loss.backward()
+            torch.nn.utils.clip_grad_norm_(network.parameters(), 1.0)
+            optimiser.step()
+            schedule.step()
+            total += loss.item()
+        print(
+            f"epoch {epoch + 1}/{n_epochs}: loss {total / n_steps:.4f}, {time.monotonic() - started:.0f} s",
+            flush=True,
+        )
+    return network.eval()
+
+
+def export(network: SpeechNetwork, path: Path) -> None:
+    torch.onnx.export(
+        network,
+        (torch.zeros(1, 4 * (PAST + FUTURE), N_MELS),),
+        str(path),
+        input_names=["frames"],
+        output_names=["logits", "articulators"],
+        dynamic_axes={
+            "frames": {1: "n_in"},
+            "logits": {1: "n_out"},
+            "articulators": {1: "n_out"},
+        },
+        opset_version=OPSET,
+        dynamo=False,
+    )
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("corpus", type=Path)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--epochs", type=int, default=20)
+    parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--out", type=Path, default=MODEL_FOLDER)
+    options = parser.parse_args()
+    torch.set_num_threads(options.threads)
+    clips = load(options.corpus / "train.npz")
+    cpu_before = time.process_time()
+    network = train(clips, options.seed, options.epochs)
+    path = options.out / "speech.onnx"
+    export(network, path)
+    card = {
+        "script": "scripts/speech/train.py",
+        "seed": options.seed,
+        "epochs": options.epochs,
+        "parameters": sum(parameter.numel() for parameter in network.parameters()),
+        "bytes": path.stat().st_size,
+        "cpu_minutes": round((time.process_time() - cpu_before) / 60, 1),
+        "past_frames": PAST,
+        "future_frames": FUTURE,
+        "data": {
+            "script": "scripts/speech/corpus.py",
+            "hours": round(sum(len(clip.classes) for clip in clips) / 50 / 3600, 2),
+            "synthesisers": "espeak-ng 1.51 (12 languages, 51 variants), flite 2.2 (kal16, awb, rms)",
+        },
+    }
+    (options.out / "speech.json").write_text(json.dumps(card, indent=2) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

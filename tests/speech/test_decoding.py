@@ -1,0 +1,113 @@
+"""Posteriors become blocks: Viterbi against exhaustive search, forced alignment against known paths."""
+
+from __future__ import annotations
+
+from itertools import product
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from vectortalker.errors import VectorTalkerError
+from vectortalker.speech.alignment import align
+from vectortalker.speech.coarticulation import FPS
+from vectortalker.speech.decoding import (
+    CLOSURE_BIAS,
+    LEAST_FRAMES,
+    SWITCH_COST,
+    blocks_of_classes,
+    decode,
+    viterbi,
+)
+from vectortalker.speech.visemes import VISEMES
+
+LIVE = 3  # visemes that the exhaustive search tries; all others are impossible
+
+
+def log_posteriors(weights: np.ndarray) -> np.ndarray:
+    return np.log(weights / weights.sum(axis=1, keepdims=True)).astype(np.float32)
+
+
+def sure_of(names: list[str], confidence: float = 0.9) -> np.ndarray:
+    """Log posteriors [n, 15] with `confidence` in each frame's viseme."""
+    weights = np.full((len(names), len(VISEMES)), (1 - confidence) / (len(VISEMES) - 1))
+    weights[np.arange(len(names)), [VISEMES.index(name) for name in names]] = confidence
+    return log_posteriors(weights)
+
+
+def slow_best_score(scores: np.ndarray) -> float:
+    """Best score of all sequences whose runs last LEAST_FRAMES or more."""
+    best = -np.inf
+    for path in product(range(LIVE), repeat=len(scores)):
+        cuts = np.flatnonzero(np.diff(path)) + 1
+        if min(np.diff([0, *cuts, len(path)])) >= LEAST_FRAMES:
+            best = max(
+                best, scores[np.arange(len(path)), path].sum() - SWITCH_COST * len(cuts)
+            )
+    return best
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.integers(2, 7), st.integers(0, 2**32 - 1))
+def test_path_scores_as_well_as_the_best_of_all(n_frames: int, seed: int) -> None:
+    logs = np.full((n_frames, len(VISEMES)), -50.0, np.float32)
+    logs[:, :LIVE] = np.random.default_rng(seed).normal(0, 3, (n_frames, LIVE))
+    scores = logs.astype(float)
+    scores[:, 1:LIVE] += CLOSURE_BIAS  # the live visemes are sil, PP, FF
+    path = viterbi(logs)
+    n_switches = int((np.diff(path) != 0).sum())
+    score = scores[np.arange(n_frames), path].sum() - SWITCH_COST * n_switches
+    assert score == pytest.approx(slow_best_score(scores), abs=1e-6)
+
+
+def test_one_doubtful_frame_does_not_flicker() -> None:
+    names = ["aa"] * 10 + ["kk"] + ["aa"] * 10
+    assert [block.viseme for block in decode(sure_of(names))] == ["aa"]
+
+
+@given(st.lists(st.integers(0, len(VISEMES) - 1), max_size=30))
+def test_blocks_fill_the_clip_without_gaps(classes: list[int]) -> None:
+    blocks = blocks_of_classes(np.array(classes, int))
+    ends = [0.0, *(block.end for block in blocks)]
+    assert ends[-1] == pytest.approx(len(classes) / FPS)
+    assert [block.start for block in blocks] == pytest.approx(ends[:-1])
+
+
+def test_single_frame_is_one_block() -> None:
+    assert [block.viseme for block in decode(sure_of(["O"]))] == ["O"]
+
+
+def test_alignment_finds_where_each_sound_is() -> None:
+    spoken = (
+        ["sil"] * 10 + ["PP"] * 5 + ["aa"] * 12 + ["nn"] * 6 + ["sil"] * 8 + ["I"] * 9
+    )
+    blocks = align(sure_of(spoken, 0.6), [["PP", "aa", "nn"], ["I"]])
+    assert [block.viseme for block in blocks] == ["sil", "PP", "aa", "nn", "sil", "I"]
+    assert [round(block.start * FPS + 0.5) for block in blocks][1:] == [
+        10,
+        15,
+        27,
+        33,
+        41,
+    ]
+
+
+def test_words_without_a_pause_between_them_join() -> None:
+    blocks = align(sure_of(["PP"] * 5 + ["aa"] * 5 + ["I"] * 5), [["PP", "aa"], ["I"]])
+    assert [block.viseme for block in blocks] == ["PP", "aa", "I"]
+
+
+def test_a_sound_that_is_not_heard_gets_its_place_all_the_same() -> None:
+    spoken = ["aa"] * 20 + ["sil"] * 5
+    assert "PP" in [block.viseme for block in align(sure_of(spoken), [["aa", "PP"]])]
+
+
+def test_more_sounds_than_frames_are_refused() -> None:
+    with pytest.raises(VectorTalkerError, match="too many for 0.1 s"):
+        align(sure_of(["aa"] * 5), [["aa", "PP"] * 10])
+
+
+def test_text_of_another_recording_is_refused() -> None:
+    spoken = ["SS"] * 50 + ["O"] * 50
+    with pytest.raises(VectorTalkerError, match="does not fit"):
+        align(sure_of(spoken, 0.99), [["PP", "I", "FF"]])
