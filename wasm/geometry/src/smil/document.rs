@@ -55,7 +55,7 @@ fn runs<M: Motion>(writer: &Writer<M>, n: usize, element: impl Fn(usize, Referen
     };
     let both: Vec<[String; 2]> =
         (0..n).map(|i| [element(i, Reference::Picture), element(i, Reference::Head)]).collect();
-    let (open, close) = (writer.head_group(head), "</g>\n");
+    let (open, close) = (writer.moving_group(head), "</g>\n");
     let bytes: Vec<[usize; 2]> = both.iter().map(|texts| [texts[0].len(), texts[1].len()]).collect();
     let references = cheapest_references(&bytes, open.len() + close.len());
     let mut written = Vec::with_capacity(n);

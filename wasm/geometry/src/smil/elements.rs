@@ -3,10 +3,10 @@
 use std::fmt::Write as _;
 use std::ops::Range;
 
-use super::head::HeadMotion;
 use super::keyframes::{Trajectory, keyframes, largest_move};
 use super::path_data::{difference, join, path_data, relative_numbers, whole};
 use super::picture::{Fill, Motion, Picture, Stop};
+use super::rigid::{RigidMotion, rigid_motion};
 use crate::point::Point;
 
 /// What moves less than this, in portrait pixels, is not animated: nobody sees it.
@@ -30,7 +30,7 @@ pub struct Writer<'a, M> {
     /// Portrait pixels per written unit.
     pub step: f64,
     pub tolerance: f64,
-    pub head: Option<HeadMotion>,
+    pub head: Option<RigidMotion>,
 }
 
 /// Timing attributes of all animations.
@@ -67,20 +67,25 @@ impl<'a, M: Motion> Writer<'a, M> {
     pub fn new(picture: &'a Picture, motion: &'a M, clock: Clock, tolerance: f64) -> Self {
         let step = tolerance / STEPS_PER_TOLERANCE;
         let head = (0..motion.n_frames()).map(|frame| motion.head(frame)).collect();
-        let head = super::head::head_motion(&head, step, tolerance, STILL);
+        let head = rigid_motion(&head, step, tolerance, STILL);
         Self { picture, motion, clock, step, tolerance, head }
     }
 
-    /// `<path>` of path `path`, preceded by its gradient if it has one.
+    /// `<path>` of path `path`, preceded by its gradient if it has one, in a moving group of its own if that is shorter.
     pub fn path(&self, path: usize, reference: Reference) -> String {
         let outline = self.trajectory(reference, |frame| self.motion.path(path, frame));
-        let (gradient, paint) = match self.picture.fills[path] {
-            Fill::Solid(stop) => {
-                (String::new(), format!(r#"fill="{}"{}"#, hex(stop.colour), opacity("fill", stop.opacity)))
-            }
-            Fill::Linear(stops) => (self.gradient(path, stops, reference), format!(r#"fill="url(#g{path})""#)),
+        let axis = match self.picture.fills[path] {
+            Fill::Solid(_) => Trajectory::new(),
+            Fill::Linear(_) => self.trajectory(reference, |frame| self.motion.axis(path, frame).to_vec()),
         };
-        format!("{gradient}{}\n", self.outline(&outline, &format!("{paint} ")))
+        let plain = self.painted(path, &outline, &axis);
+        if self.keys(&outline).is_none() {
+            return plain;
+        }
+        let Some(own) = rigid_motion(&outline, self.step, self.tolerance, STILL) else { return plain };
+        let inside = self.painted(path, &self.relative(&outline, &own), &self.relative(&axis, &own));
+        let grouped = format!("{}{inside}</g>\n", self.moving_group(&own));
+        if grouped.len() < plain.len() { grouped } else { plain }
     }
 
     /// `<clipPath id="c{id}">` of an opening and the paths that it clips.
@@ -91,12 +96,12 @@ impl<'a, M: Motion> Writer<'a, M> {
         format!("<clipPath id=\"c{id}\">{clip}</clipPath>\n<g clip-path=\"url(#c{id})\">\n{paths}</g>\n")
     }
 
-    /// Opening tag of a group that moves with the head, without its contents and end tag.
-    pub fn head_group(&self, head: &HeadMotion) -> String {
-        let timing = self.clock.attributes(&head.keys);
-        let shifts = values(head.shifts.iter().map(|shift| join(shift)));
-        let angles = values(head.angles.iter().map(|angle| decimal(*angle as f64 / 100.0, 2)));
-        let pivot = join(&head.pivot);
+    /// Opening tag of a group with its motion, without its contents and end tag.
+    pub fn moving_group(&self, motion: &RigidMotion) -> String {
+        let timing = self.clock.attributes(&motion.keys);
+        let shifts = values(motion.shifts.iter().map(|shift| join(shift)));
+        let angles = values(motion.angles.iter().map(|angle| decimal(*angle as f64 / 100.0, 2)));
+        let pivot = join(&motion.pivot);
         let animate = r#"<animateTransform attributeName="transform""#;
         format!(
             "<g transform=\"translate({pivot})\">\n{animate} type=\"translate\" {timing} values=\"{shifts}\"/>\n\
@@ -104,17 +109,30 @@ impl<'a, M: Motion> Writer<'a, M> {
         )
     }
 
+    fn painted(&self, path: usize, outline: &Trajectory, axis: &Trajectory) -> String {
+        let (gradient, paint) = match self.picture.fills[path] {
+            Fill::Solid(stop) => {
+                let (colour, opacity) = (hex(stop.colour), opacity("fill", stop.opacity));
+                (String::new(), format!(r#"fill="{colour}"{opacity} "#))
+            }
+            Fill::Linear(stops) => (self.gradient(path, stops, axis), format!(r#"fill="url(#g{path})" "#)),
+        };
+        format!("{gradient}{}\n", self.outline(outline, &paint))
+    }
+
     fn trajectory(&self, reference: Reference, points: impl Fn(usize) -> Vec<Point>) -> Trajectory {
-        let frames = 0..self.motion.n_frames();
+        let frames = (0..self.motion.n_frames()).map(points).collect();
         match (reference, &self.head) {
-            (Reference::Head, Some(head)) => frames
-                .map(|frame| {
-                    let placement = head.placement(frame, self.step);
-                    points(frame).into_iter().map(|p| placement.to_local(p)).collect()
-                })
-                .collect(),
-            _ => frames.map(points).collect(),
+            (Reference::Head, Some(head)) => self.relative(&frames, head),
+            _ => frames,
         }
+    }
+
+    /// The trajectory as seen from what moves by `motion`.
+    fn relative(&self, trajectory: &Trajectory, motion: &RigidMotion) -> Trajectory {
+        let placements = (0..).map(|frame| motion.placement(frame, self.step));
+        let frames = trajectory.iter().zip(placements);
+        frames.map(|(points, placement)| points.iter().map(|&p| placement.to_local(p)).collect()).collect()
     }
 
     /// Frames to write of a trajectory; none when it rests.
@@ -138,14 +156,13 @@ impl<'a, M: Motion> Writer<'a, M> {
         )
     }
 
-    fn gradient(&self, path: usize, stops: [Stop; 2], reference: Reference) -> String {
-        let axis = self.trajectory(reference, |frame| self.motion.axis(path, frame).to_vec());
+    fn gradient(&self, path: usize, stops: [Stop; 2], axis: &Trajectory) -> String {
         let rest = axis[0].iter().flat_map(|p| [whole(p.x / self.step), whole(p.y / self.step)]);
         let mut text = format!(r#"<linearGradient id="g{path}" gradientUnits="userSpaceOnUse""#);
         let names = ["x1", "y1", "x2", "y2"];
         names.iter().zip(rest).for_each(|(name, value)| _ = write!(text, r#" {name}="{value}""#));
         text.push('>');
-        if let Some(keys) = self.keys(&axis) {
+        if let Some(keys) = self.keys(axis) {
             let timing = self.clock.attributes(&keys);
             for (i, name) in names.iter().enumerate() {
                 let at = |key: &usize| {

@@ -117,23 +117,27 @@ struct Group {
 }
 
 impl Group {
-    fn place(self, numbers: &[f64]) -> Vec<Point> {
-        outline(numbers).into_iter().map(|p| (p.complex_mul(self.turn) + self.shift) * self.scale).collect()
+    const REST: Self = Self { turn: Point::new(1.0, 0.0), shift: Point::ZERO, scale: 1.0 };
+
+    fn place(self, p: Point) -> Point {
+        (p.complex_mul(self.turn) + self.shift) * self.scale
     }
 }
 
 /// Outlines of all `<path>` elements, clips included, in document order and portrait pixels, at the share `t`.
 fn played(svg: &str, t: f64) -> Vec<Vec<Point>> {
     let mut outlines: Vec<Vec<Point>> = Vec::new();
-    let mut groups = vec![Group { turn: Point::new(1.0, 0.0), shift: Point::ZERO, scale: 1.0 }];
+    let mut groups: Vec<Group> = Vec::new();
     let mut rest = Vec::new();
+    let placed = |groups: &[Group], numbers: &[f64]| -> Vec<Point> {
+        let place = |p| groups.iter().rev().fold(p, |p, group| group.place(p));
+        outline(numbers).into_iter().map(place).collect()
+    };
     for tag in svg.split('<') {
-        let mut group = *groups.last().unwrap();
         if tag.starts_with("g ") {
-            if let Some(scale) = attribute(tag, "transform").and_then(|text| text.strip_prefix("scale(")) {
-                group.scale = scale.trim_end_matches(')').parse().unwrap();
-            }
-            groups.push(group);
+            let scale = attribute(tag, "transform").and_then(|text| text.strip_prefix("scale("));
+            let scale = scale.map_or(1.0, |text| text.trim_end_matches(')').parse().unwrap());
+            groups.push(Group { scale, ..Group::REST });
         } else if tag.starts_with("/g>") {
             groups.pop();
         } else if tag.contains("type=\"translate\"") {
@@ -144,10 +148,10 @@ fn played(svg: &str, t: f64) -> Vec<Vec<Point>> {
             groups.last_mut().unwrap().turn = Point::new(angle.cos(), angle.sin());
         } else if tag.starts_with("path ") {
             rest = numbers(attribute(tag, "d").unwrap());
-            outlines.push(group.place(&rest));
+            outlines.push(placed(&groups, &rest));
         } else if tag.starts_with("animate attributeName=\"d\"") {
             let sum: Vec<f64> = play(tag, t).iter().zip(&rest).map(|(a, b)| a + b).collect();
-            *outlines.last_mut().unwrap() = group.place(&sum);
+            *outlines.last_mut().unwrap() = placed(&groups, &sum);
         }
     }
     outlines

@@ -1,10 +1,10 @@
-//! The head's frame of reference: a shift and a turn per frame, exactly as a browser interpolates what is written.
+//! Rigid motion of the head or of one path: a shift and a turn a frame, exactly as browsers interpolate what is written.
 
 use super::keyframes::{Trajectory, keyframes, largest_move};
 use super::path_data::whole;
 use crate::point::Point;
 
-/// Share of the tolerance that the written head motion may miss the fitted one by. What it misses is not lost: outlines
+/// Share of the tolerance that the written motion may miss the fitted one by. What it misses is not lost: outlines
 /// are written relative to the written motion.
 const FIT_SHARE: f64 = 0.25;
 
@@ -13,7 +13,7 @@ const ANGLE_STEPS: f64 = 100.0;
 
 /// A group's motion: turn about the group's origin, then shift of the origin.
 #[derive(Clone, Debug)]
-pub struct HeadMotion {
+pub struct RigidMotion {
     /// Rest place of the origin, in steps.
     pub pivot: [i64; 2],
     pub keys: Vec<usize>,
@@ -23,7 +23,7 @@ pub struct HeadMotion {
     pub angles: Vec<i64>,
 }
 
-/// Written motion of the head in one frame: x ↦ `turn`·x + `place`.
+/// Written motion in one frame: x ↦ `turn`·x + `place`.
 #[derive(Clone, Copy, Debug)]
 pub struct Placement {
     turn: Point,
@@ -38,20 +38,20 @@ impl Placement {
     }
 }
 
-/// Shift and turn that fit the head points best in every frame; None when the head moves less than `still`.
+/// Shift and turn that fit the points best in every frame; None when they move less than `still`.
 #[must_use]
-pub fn head_motion(head: &Trajectory, step: f64, tolerance: f64, still: f64) -> Option<HeadMotion> {
-    let rest = head.first().filter(|points| points.len() >= 2)?;
-    if largest_move(head) < still {
+pub fn rigid_motion(points: &Trajectory, step: f64, tolerance: f64, still: f64) -> Option<RigidMotion> {
+    let rest = points.first().filter(|points| points.len() >= 2)?;
+    if largest_move(points) < still {
         return None;
     }
     let pivot = mean(rest);
     let radius = rest.iter().map(|p| p.distance(pivot)).fold(0.0, f64::max);
-    let fits: Vec<(Point, f64)> = head.iter().map(|points| fit(rest, points)).collect();
-    // a turn counts by how far it moves the outermost head point
+    let fits: Vec<(Point, f64)> = points.iter().map(|points| fit(rest, points)).collect();
+    // a turn counts by how far it moves the outermost point
     let curve = fits.iter().map(|(place, angle)| vec![*place, Point::new(angle * radius, 0.0)]).collect();
     let keys = keyframes(&curve, FIT_SHARE * tolerance);
-    Some(HeadMotion {
+    Some(RigidMotion {
         pivot: [whole(pivot.x / step), whole(pivot.y / step)],
         shifts: keys.iter().map(|&k| [whole(fits[k].0.x / step), whole(fits[k].0.y / step)]).collect(),
         angles: keys.iter().map(|&k| whole(fits[k].1.to_degrees() * ANGLE_STEPS)).collect(),
@@ -59,7 +59,7 @@ pub fn head_motion(head: &Trajectory, step: f64, tolerance: f64, still: f64) -> 
     })
 }
 
-impl HeadMotion {
+impl RigidMotion {
     /// Placement in `frame`, in portrait pixels, between the keyframes as SMIL interpolates: shift and angle by themselves.
     #[must_use]
     pub fn placement(&self, frame: usize, step: f64) -> Placement {
@@ -95,7 +95,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rigid_motion_of_the_head_leaves_its_points_at_rest() {
+    fn rigid_motion_leaves_its_points_at_rest() {
         let rest = [Point::new(40.0, 50.0), Point::new(160.0, 52.0), Point::new(100.0, 90.0)];
         let head: Trajectory = (0..40)
             .map(|frame| {
@@ -106,7 +106,7 @@ mod tests {
                     .collect()
             })
             .collect();
-        let motion = head_motion(&head, 0.125, 0.5, 0.35).unwrap();
+        let motion = rigid_motion(&head, 0.125, 0.5, 0.35).unwrap();
         assert!(motion.keys.len() < 40);
         let start = motion.placement(0, 0.125);
         for (frame, points) in head.iter().enumerate() {
@@ -118,8 +118,8 @@ mod tests {
     }
 
     #[test]
-    fn resting_head_has_no_motion() {
+    fn resting_points_have_no_motion() {
         let head = vec![vec![Point::new(1.0, 2.0), Point::new(3.0, 4.0)]; 5];
-        assert!(head_motion(&head, 0.125, 0.5, 0.35).is_none());
+        assert!(rigid_motion(&head, 0.125, 0.5, 0.35).is_none());
     }
 }
