@@ -8,7 +8,7 @@ use crate::mesh::{Mesh, VertexSet};
 use crate::opening::{N_LANDMARKS, Opening, snap_closed};
 use crate::point::Point;
 use crate::pose::clamp::{Limit, clamp_motion};
-use crate::pose::{Pose, eyes, head, mouth};
+use crate::pose::{Channel, Pose, eyes, head, mouth};
 use crate::scene::SceneGeometry;
 
 /// A resting face; depth is in outer-eye distances, towards the viewer.
@@ -40,11 +40,14 @@ impl Rig {
         let closed: Vec<Opening> = Opening::ALL.into_iter().filter(|opening| opening.is_closed(&landmarks)).collect();
         let depth = aligned_depth(rest.depth.as_ref());
         let irises = irises_or_eye_centres(&landmarks, rest.irises);
-        let mut set = VertexSet::place(&face, &landmarks, &irises, &depth, &scene.extent());
+        let set = VertexSet::place(&face, &landmarks, &irises, &depth, &scene.extent());
         let mesh = Mesh::build(set.rest.clone(), set.triangulated(), &closed)?;
-        head::relax_depth(&mut set, &mesh, &face);
-        let paths = BoundPaths::bind(scene, &mesh, &set.moving(), options, closed.contains(&Opening::Mouth));
-        Ok(Self { face, landmarks, irises, set, mesh, paths })
+        let mouth_closed = closed.contains(&Opening::Mouth);
+        let mut rig = Self { face, landmarks, irises, set, mesh, paths: BoundPaths::default() };
+        let expressions: Vec<Vec<Point>> = EXTREMES.iter().map(|pose| rig.vertices(&Pose::of(pose)).0).collect();
+        head::relax_depth(&mut rig.set, &rig.mesh, &rig.face, &expressions);
+        rig.paths = BoundPaths::bind(scene, &rig.mesh, &rig.set.moving(), options, mouth_closed);
+        Ok(rig)
     }
 
     #[must_use]
@@ -140,6 +143,19 @@ impl Rig {
         Opening::ALL.map(|opening| opening.outline(vertices))
     }
 }
+
+/// Expressions that bring the most triangles near their limits: the head must be free to turn in all of them.
+const EXTREMES: [&[(Channel, f64)]; 3] = [
+    &[],
+    &[(Channel::Jaw, 1.0), (Channel::BlinkLeft, 1.0), (Channel::BlinkRight, 1.0)],
+    &[
+        (Channel::Smile, 1.0),
+        (Channel::BlinkLeft, 1.0),
+        (Channel::BlinkRight, 1.0),
+        (Channel::BrowLeft, -1.0),
+        (Channel::BrowRight, -1.0),
+    ],
+];
 
 /// Displacements of vertices that are not expressed by landmarks.
 #[derive(Default)]

@@ -144,7 +144,7 @@ impl VertexSet {
                     self.add(landmarks[point] + shift, 1.0, depth[point], &[(point, 1.0)]);
                 }
                 for (corner, outwards) in corners.into_iter().zip([-1.0, 1.0]) {
-                    let above = face.vector(0.04 * outwards * face.eye_distance, -0.4 * room);
+                    let above = face.vector(0.015 * outwards * face.eye_distance, -0.35 * room);
                     self.add(landmarks[corner] + above, 1.0, depth[corner], &[(corner, 1.0)]);
                 }
             }

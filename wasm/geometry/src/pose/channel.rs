@@ -94,6 +94,16 @@ impl Pose {
         Ok(pose)
     }
 
+    /// Pose of a few channels, all others at rest.
+    #[must_use]
+    pub fn of(channels: &[(Channel, f64)]) -> Self {
+        let mut pose = Self::default();
+        for &(channel, value) in channels {
+            pose.articulators[channel as usize] = value;
+        }
+        pose
+    }
+
     #[must_use]
     pub fn value(&self, channel: Channel) -> f64 {
         self.articulators[channel as usize]

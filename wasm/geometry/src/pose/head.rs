@@ -63,15 +63,15 @@ fn rotate([x, y, z]: [f64; 3], joint: f64, angles: Angles) -> [f64; 3] {
 }
 
 /// Flattens the depths of `set` where turning the head would fold the mesh: at silhouettes, where a point far back lies
-/// next to one in front. Triangles that shrink too much at the extreme turns even out their depths until none does.
-pub fn relax_depth(set: &mut VertexSet, mesh: &Mesh, face: &Face) {
+/// next to one in front. Triangles that shrink too much at the extreme turns of any of `expressions` (vertices of a face
+/// yet unturned) even out their depths until none does.
+pub fn relax_depth(set: &mut VertexSet, mesh: &Mesh, face: &Face, expressions: &[Vec<Point>]) {
     for _ in 0..MAX_SWEEPS {
         let mut pull = vec![(0.0, 0.0); set.depth.len()];
-        for (yaw, pitch) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
-            let angles = Angles { yaw: yaw * WIDEST_YAW, pitch: pitch * WIDEST_PITCH, roll: 0.0 };
-            let turned = turn(&set.rest, set, face, angles);
+        for (expressed, (yaw, pitch)) in expressions.iter().flat_map(|e| CORNERS.map(|corner| (e, corner))) {
+            let turned = turn(expressed, set, face, Angles { yaw, pitch, roll: 0.0 });
             for (index, triangle) in mesh.triangles.iter().enumerate() {
-                if mesh.double_area(index, &turned) < LEAST_SHARE * mesh.double_area(index, &set.rest) {
+                if mesh.double_area(index, &turned) < LEAST_SHARE * mesh.double_area(index, expressed) {
                     let mean = triangle.vertices.iter().map(|&vertex| set.depth[vertex]).sum::<f64>() / 3.0;
                     for vertex in triangle.vertices {
                         pull[vertex].0 += mean;
@@ -95,6 +95,12 @@ pub fn relax_depth(set: &mut VertexSet, mesh: &Mesh, face: &Face) {
 /// Turns that must not fold the mesh, radians (25° and 15°).
 const WIDEST_YAW: f64 = 0.436;
 const WIDEST_PITCH: f64 = 0.262;
+const CORNERS: [(f64, f64); 4] = [
+    (WIDEST_YAW, WIDEST_PITCH),
+    (WIDEST_YAW, -WIDEST_PITCH),
+    (-WIDEST_YAW, WIDEST_PITCH),
+    (-WIDEST_YAW, -WIDEST_PITCH),
+];
 /// Share of its area that a triangle keeps at those turns.
 const LEAST_SHARE: f64 = 0.25;
 /// Every sweep halves the differences it finds; portraits need 10 to 30.
