@@ -9,10 +9,16 @@ import vectortalker_core as core
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter, grey_dilation
 
-from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, TOP, Level, Sheet
+from vectortalker.inpaint import fill
+from vectortalker.landmarks.ibug import IrisDisc
+from vectortalker.layers import LayerTargets, targets
+from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, TOP, Completion, Level, Sheet
 from vectortalker.vectorize.losses import SCENERY_SCALE
 from vectortalker.vectorize.resize import resize
 
+FIRST_IRIS = FIRST_LOCAL + 2  # group of the image-left iris
+CORE = 0.98  # coverage at which a pixel shows nothing but the opening's inside
+CONFINEMENT = 0.5  # weight of fore paint over scenery, against 1 for a squared error of the picture
 HIDDEN_WEIGHT = 0.15  # of what another layer hides at rest: it shows only when the head or a lid moves
 EMPHASIS = 2.0  # weight of eyes and mouth: they move, and people look there
 LOCAL_SHARE = 0.05  # of all paths lie within eyes and open mouth, at least
@@ -27,17 +33,19 @@ FEATURES = (range(36, 42), range(42, 48), range(48, 68))  # iBUG: image-left eye
 
 @dataclass(frozen=True)
 class LayerImages:
-    """The layers at the working size. f32: `back` and `fore` [H, W, 3], completed where others hide them.
+    """The layers at the working size.
 
-    `mask` [H, W]: share of the person; `clips` [3, H, W]: coverage of the openings; `emphasis` [H, W] ≥ 1: weight of
-    the error; `parts` i64 [H, W]: group of a local path seeded there.
+    `layers`: their completed pictures. `ball` f32 [H, W, 3]: eyeballs without irises. f32 [H, W]: `mask`, share of the
+    person; `discs`, share of the irises; `emphasis` ≥ 1, weight of the error. `clips` f32 [3, H, W]: coverage of the
+    openings. `parts` i64 [H, W]: group of a local path seeded there.
     """
 
-    back: NDArray[np.float32]
-    fore: NDArray[np.float32]
+    layers: LayerTargets
+    ball: NDArray[np.float32]
     mask: NDArray[np.float32]
-    clips: NDArray[np.float32]
+    discs: NDArray[np.float32]
     emphasis: NDArray[np.float32]
+    clips: NDArray[np.float32]
     parts: NDArray[np.int64]
 
 
@@ -45,25 +53,28 @@ def layer_images(
     image: NDArray[np.float32],
     mask: NDArray[np.float32],
     landmarks: NDArray[np.float64] | None,
-    irises: tuple[tuple[NDArray[np.float64], float], ...],
+    irises: tuple[IrisDisc, ...],
     outlines: tuple[NDArray[np.float64], ...],
 ) -> LayerImages:
     """Layers of the working picture f32 [H, W, 3]; landmarks [68, 2], irises and outlines of its face in its px."""
     height, width = mask.shape
     clips = np.zeros((len(outlines), height, width), np.float32)
     parts = np.full(mask.shape, FIRST_LOCAL, np.int64)
+    discs = np.zeros(mask.shape, np.float32)
     y, x = np.mgrid[:height, :width] + 0.5
-    for opening, outline in enumerate(outlines):
+    for index, outline in enumerate(outlines):
         if len(outline):
-            clips[opening] = core.coverage(outline.astype(np.float32), width, height)
-        parts[clips[opening] > 0] = FIRST_LOCAL + FIRST_PART[opening]
-    for eye, (centre, radius) in enumerate(irises):
-        parts[((x - centre[0]) ** 2 + (y - centre[1]) ** 2 < radius**2) & (clips[eye] > 0)] = (
-            FIRST_LOCAL + IRIS_PART[eye]
-        )
-    opening = clips.sum(axis=0)
+            clips[index] = core.coverage(outline.astype(np.float32), width, height)
+        parts[clips[index] > 0] = FIRST_LOCAL + FIRST_PART[index]
+    for eye, iris in enumerate(irises):
+        inside = (np.hypot(x - iris.centre[0], y - iris.centre[1]) < iris.radius) & (clips[eye] > 0)
+        parts[inside] = FIRST_LOCAL + IRIS_PART[eye]
+        discs[inside] = 1
+    face_height = None if landmarks is None else float(np.ptp(landmarks[:, 1]))
+    layers = targets(image, mask, clips, irises, face_height)
+    ball = fill(layers.local, (clips[:2].sum(axis=0) > CORE).astype(np.float32) * (1 - discs)) if len(clips) else image
     emphasis = np.ones(mask.shape, np.float32) if landmarks is None else emphasise(mask.shape, landmarks)
-    return LayerImages(_inpaint(image, mask), _inpaint(image, opening), mask, clips, emphasis, parts)
+    return LayerImages(layers, ball, mask, discs, emphasis, clips, parts)
 
 
 def layered_level(
@@ -74,21 +85,45 @@ def layered_level(
 ) -> Level:
     """Sheets for the smoothed picture f32 [h, w, 3] of one level; `openings` in its px."""
     frame = (smoothed.shape[1], smoothed.shape[0])
-    mask, emphasis = resize(images.mask, frame), resize(images.emphasis, frame)
+    mask, emphasis, discs = (resize(part, frame) for part in (images.mask, images.emphasis, images.discs))
     clips = np.ascontiguousarray(resize(images.clips.transpose(1, 2, 0), frame).transpose(2, 0, 1))
-    opening = clips.sum(axis=0).clip(0, 1) if len(clips) else np.zeros_like(mask)
+    opening = clips.sum(axis=0).clip(0, 1)
     scenery = 1 - mask
-    back = _blend(resize(images.back, frame), smoothed, scenery)
-    fore = _blend(resize(images.fore, frame), smoothed, 1 - opening)
-    back_weight = (scenery + HIDDEN_WEIGHT * mask).astype(np.float32)
-    fore_weight = (mask * emphasis * (1 - (1 - HIDDEN_WEIGHT) * opening)).astype(np.float32)
+    back = _blend(resize(images.layers.back, frame), smoothed, scenery)
+    fore = _blend(resize(images.layers.fore, frame), smoothed, mask * (1 - opening))
+    back_weight = scenery + HIDDEN_WEIGHT * mask
+    fore_weight = mask * emphasis * (1 - (1 - HIDDEN_WEIGHT) * opening)
     groups = np.zeros(mask.shape, np.int64)
     sheets = (
-        Sheet(FORE, back, back_weight, back_weight, groups + BACK),
-        Sheet(FIRST_LOCAL, fore, fore_weight, fore_weight, groups + FORE),
-        Sheet(TOP, smoothed, emphasis, opening * emphasis, _nearest(images.parts, frame), *_local_quota(opening)),
+        _sheet(FORE, back, back_weight, back_weight, groups + BACK),
+        _sheet(FIRST_LOCAL, fore, fore_weight, fore_weight, groups + FORE),
+        _sheet(FIRST_IRIS, resize(images.ball, frame), HIDDEN_WEIGHT * discs * opening, 0 * mask, groups + FIRST_LOCAL),
+        _sheet(TOP, smoothed, emphasis, opening * emphasis, _nearest(images.parts, frame), *_local_quota(opening)),
     )
-    return Level(sheets, openings, clips, _untouchable(mask, frame), canvas)
+    completion = _completion(images, frame) if opening.any() else None
+    return Level(sheets, openings, clips, _untouchable(mask, frame), completion, canvas)
+
+
+def _sheet(
+    below: int,
+    target: NDArray[np.float32],
+    weight: NDArray[np.floating],
+    claim: NDArray[np.floating],
+    owner: NDArray[np.int64],
+    quota: float = 0.0,
+    most_radius: float = np.inf,
+) -> Sheet:
+    return Sheet(below, target, weight.astype(np.float32), claim.astype(np.float32), owner, quota, most_radius)
+
+
+def _completion(images: LayerImages, frame: tuple[int, int]) -> Completion:
+    """Local picture on the smallest crop that holds its extent."""
+    extent = resize(images.layers.local_extent, frame)
+    rows, columns = np.flatnonzero(extent.any(axis=1)), np.flatnonzero(extent.any(axis=0))
+    crop = (slice(rows[0], rows[-1] + 1), slice(columns[0], columns[-1] + 1))
+    target, inside = resize(images.layers.local, frame)[crop], extent[crop]
+    weight = (HIDDEN_WEIGHT * inside).astype(np.float32)
+    return Completion(int(columns[0]), int(rows[0]), np.ascontiguousarray(target), np.ascontiguousarray(inside), weight)
 
 
 def _local_quota(opening: NDArray[np.float32]) -> tuple[float, float]:
@@ -108,8 +143,8 @@ def emphasise(shape: tuple[int, int], landmarks: NDArray[np.float64]) -> NDArray
         low, high = points.min(axis=0), points.max(axis=0)
         middle, half = (low + high) / 2, (high - low) / 2 + EMPHASIS_MARGIN * (high[0] - low[0])
         inside = ((x + 0.5 - middle[0]) / half[0]) ** 2 + ((y + 0.5 - middle[1]) / half[1]) ** 2
-        weight = np.maximum(weight, 1 + (EMPHASIS - 1) * np.clip(2 * (1 - inside), 0, 1))
-    return weight.astype(np.float32)
+        weight = np.maximum(weight, (1 + (EMPHASIS - 1) * np.clip(2 * (1 - inside), 0, 1)).astype(np.float32))
+    return weight
 
 
 def _blend(under: NDArray[np.float32], over: NDArray[np.float32], share: NDArray[np.float32]) -> NDArray[np.float32]:
@@ -128,20 +163,4 @@ def _untouchable(mask: NDArray[np.float32], frame: tuple[int, int]) -> NDArray[n
     widened = grey_dilation(mask, size=(2 * margin + 1, 2 * margin + 1))
     quarter = (max(1, round(frame[0] * SCENERY_SCALE)), max(1, round(frame[1] * SCENERY_SCALE)))
     soft = gaussian_filter(widened, 1).clip(0, 1)
-    return (1 - resize(soft, quarter)).astype(np.float32)
-
-
-def _inpaint(image: NDArray[np.float32], hidden: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Smooth continuation of `image` [H, W, 3] under `hidden` [H, W]: known colours averaged over growing windows."""
-    known = (grey_dilation(hidden, size=(7, 7)) < 0.02).astype(np.float32)
-    filled, weight = image * known[..., None], known
-    result, done = filled.copy(), known > 0
-    sigma = 2.0
-    while not done.all() and sigma < 2 * max(hidden.shape):
-        share = gaussian_filter(weight, sigma)
-        colour = gaussian_filter(filled, (sigma, sigma, 0))
-        reached = ~done & (share > 0.02)
-        result[reached] = (colour[reached] / share[reached][:, None]).clip(0, 1)
-        done |= reached
-        sigma *= 2
-    return result
+    return (CONFINEMENT * (1 - resize(soft, quarter))).astype(np.float32)

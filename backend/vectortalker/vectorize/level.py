@@ -30,18 +30,34 @@ class Sheet:
 
 
 @dataclass(frozen=True)
+class Completion:
+    """The paper's L_local beyond the openings, on a crop of the frame whose corner is `left`, `top`.
+
+    `target` f32 [h, w, 3]: eyeballs and mouth interior carried on under lids and lips; `extent` f32 [h, w]: where;
+    `weight` f32 [h, w] of the squared error.
+    """
+
+    left: int
+    top: int
+    target: NDArray[np.float32]
+    extent: NDArray[np.float32]
+    weight: NDArray[np.float32]
+
+
+@dataclass(frozen=True)
 class Level:
     """Targets at one resolution. `sheets` bottom to top, the last is the merged picture.
 
     `openings`: outlines [3S, 2] in its px; `clips` f32 [k, H, W]: their coverage. `scenery` f32 [h, w], at a quarter of
-    the resolution: where fore paths must paint nothing, because they will move and the scenery will not; None without
-    layers.
+    the resolution: weight where fore paths must paint nothing, because they will move and the scenery will not. Both
+    this and `completion` are None without layers.
     """
 
     sheets: tuple[Sheet, ...]
     openings: tuple[NDArray[np.float64], ...]
     clips: NDArray[np.float32]
     scenery: NDArray[np.float32] | None
+    completion: Completion | None
     canvas: NDArray[np.float32]
 
     @property
@@ -59,4 +75,4 @@ def single_sheet_level(picture: NDArray[np.float32], group: int, canvas: NDArray
     height, width, _ = picture.shape
     ones = np.ones((height, width), np.float32)
     sheet = Sheet(TOP, picture, ones, ones, np.full((height, width), group, np.int64))
-    return Level((sheet,), (), np.zeros((0, height, width), np.float32), None, canvas)
+    return Level((sheet,), (), np.zeros((0, height, width), np.float32), None, None, canvas)

@@ -9,11 +9,10 @@ import vectortalker_core as core
 from numpy.typing import NDArray
 
 from vectortalker.scene import OPENING_OF_PART
-from vectortalker.vectorize.level import FIRST_LOCAL, FORE, Level
+from vectortalker.vectorize.level import FIRST_LOCAL, FORE, Completion, Level
 from vectortalker.vectorize.population import Population
 
 SCENERY_SCALE = 0.25  # resolution of the confinement pass: a sixteenth of the pixels
-CONFINEMENT = 0.5  # weight of fore paint over scenery, against 1 for a squared error of the picture
 
 
 @dataclass(frozen=True)
@@ -67,14 +66,14 @@ def confine_fore(
     population: Population,
     scenery: NDArray[np.float32],
     screen: NDArray[np.float32],
-    weight: float,
+    times: int,
     threads: int,
     gradients: dict[str, NDArray[np.float32]],
 ) -> None:
-    """Add to `gradients` what keeps fore paths off the scenery.
+    """Add to `gradients`, `times` over, what keeps fore paths off the scenery.
 
-    The fore paths alone are painted over a `screen` colour f32 [3]: whatever they change where `scenery` [h, w] is 1 is
-    error. With another random screen every time, no colour is a hiding place.
+    The fore paths alone are painted over a `screen` colour f32 [3]: whatever they change where `scenery` [h, w] has
+    weight is error. With another random screen every time, no colour is a hiding place.
     """
     fore = slice(population.below(FORE), population.below(FIRST_LOCAL))
     height, width = scenery.shape
@@ -87,12 +86,45 @@ def confine_fore(
         np.full(fore.stop - fore.start, -1, np.int32),
         np.zeros((0, height, width), np.float32),
         screen,
-        [(fore.stop - fore.start, np.tile(screen, (height, width, 1)), scenery * np.float32(CONFINEMENT * weight))],
+        [(fore.stop - fore.start, np.tile(screen, (height, width, 1)), scenery * np.float32(times))],
         threads=threads,
     )
     gradients["points"][fore] += grad_points * scale
     gradients["stops"][fore] += grad_stops
     gradients["axis"][fore] += grad_axis * scale
+
+
+def complete_local(
+    population: Population,
+    completion: Completion,
+    frame: tuple[int, int],
+    times: int,
+    threads: int,
+    gradients: dict[str, NDArray[np.float32]],
+) -> None:
+    """Add to `gradients`, `times` over, what makes local paths go on under lids and lips: L_local of supplement B.
+
+    The local paths alone are painted, clipped by the completed extent instead of the openings; `frame` (width, height)
+    is the level's, over whose pixels the mean is taken.
+    """
+    local = slice(population.below(FIRST_LOCAL), len(population))
+    count = local.stop - local.start
+    corner = np.array([completion.left, completion.top], np.float32)
+    share = times * completion.weight.size / (frame[0] * frame[1])
+    _, _, grad_points, grad_stops, grad_axis, _ = core.loss_and_gradients(
+        population.points[local] - corner,
+        population.stops[local],
+        population.axis[local] - np.tile(corner, 2),
+        population.gradient[local],
+        np.zeros(count, np.int32),
+        completion.extent[None],
+        completion.target.mean(axis=(0, 1)),
+        [(count, completion.target, completion.weight * np.float32(share))],
+        threads=threads,
+    )
+    gradients["points"][local] += grad_points
+    gradients["stops"][local] += grad_stops
+    gradients["axis"][local] += grad_axis
 
 
 def picture_below(population: Population, level: Level, group: int, fidelity: Fidelity) -> NDArray[np.float32]:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vectortalker.vectorize.level import FIRST_LOCAL, Level
-from vectortalker.vectorize.losses import Fidelity, confine_fore, evaluate
+from vectortalker.vectorize.losses import Fidelity, complete_local, confine_fore, evaluate
 from vectortalker.vectorize.options import Settings
 from vectortalker.vectorize.painted import compensate
 from vectortalker.vectorize.population import Population, move, rescale, take
@@ -22,7 +22,7 @@ REALLOCATE_EVERY = 50
 LEAST_IMPORTANCE = 0.25  # paths under this share of the mean importance are moved …
 MOST_MOVED = 0.08  # … at most this share of all at a time
 REALLOCATED_RADIUS = 0.8  # of the level's
-CONFINE_EVERY = 2  # iterations; the weight makes up for those left out
+ASIDE_EVERY = 2  # iterations between passes over single layers; their weight makes up for those left out
 
 
 @dataclass(frozen=True)
@@ -124,9 +124,8 @@ def _iterate(
     ingredients = RECIPES[settings.recipe]
     moving = iteration.moved_radius is not None
     result = evaluate(population, level, iteration.fidelity, importance=moving)
-    if level.scenery is not None and iteration.number % CONFINE_EVERY == 0:
-        screen = generator.random(3, dtype=np.float32)
-        confine_fore(population, level.scenery, screen, CONFINE_EVERY, iteration.fidelity.threads, result.gradients)
+    if iteration.number % ASIDE_EVERY == 0:
+        _add_asides(population, level, result.gradients, generator, iteration.fidelity.threads)
     move(population, result.gradients, ingredients.rates.scaled(iteration.rate), level.frame, settings.opaque)
     if iteration.moved_radius is None or result.importance is None:
         return population
@@ -134,6 +133,21 @@ def _iterate(
     kept = take(population, np.setdiff1d(np.arange(len(population)), weak))
     gradient = settings.fills == "gradient"
     return seed(kept, level, len(weak), iteration.moved_radius, ingredients, gradient, generator)
+
+
+def _add_asides(
+    population: Population,
+    level: Level,
+    gradients: dict[str, NDArray[np.float32]],
+    generator: np.random.Generator,
+    threads: int,
+) -> None:
+    """Add the gradients of the losses that look at one layer alone, which the fused pass cannot see."""
+    if level.scenery is not None:
+        screen = generator.random(3, dtype=np.float32)
+        confine_fore(population, level.scenery, screen, ASIDE_EVERY, threads, gradients)
+    if level.completion is not None:
+        complete_local(population, level.completion, level.frame, ASIDE_EVERY, threads, gradients)
 
 
 def least_important(importance: NDArray[np.float64]) -> NDArray[np.int64]:

@@ -11,6 +11,7 @@ from PIL import Image
 
 from vectortalker import smooth
 from vectortalker.decode import Portrait
+from vectortalker.landmarks.ibug import IrisDisc
 from vectortalker.masks import segment
 from vectortalker.schema import Landmarks
 from vectortalker.vectorize.frame import Frame, to_frame
@@ -86,8 +87,12 @@ def _scaled_alpha(portrait: Portrait, frame: Frame) -> NDArray[np.uint8] | None:
     return np.asarray(Image.fromarray(portrait.alpha).resize(size, Image.Resampling.LANCZOS))
 
 
-def _iris_discs(landmarks: Landmarks | None, frame: Frame) -> tuple[tuple[NDArray[np.float64], float], ...]:
-    """Centre [2] and radius of the irises in working px, image-left first."""
+def _iris_discs(landmarks: Landmarks | None, frame: Frame) -> tuple[IrisDisc, ...]:
+    """Irises in working px, image-left first."""
     if landmarks is None or landmarks.irises is None:
         return ()
-    return tuple((to_frame(np.array(iris.centre), frame), iris.radius * frame.scale) for iris in landmarks.irises)
+    centres = [to_frame(np.array(iris.centre), frame) for iris in landmarks.irises]
+    return tuple(
+        IrisDisc((float(x), float(y)), iris.radius * frame.scale)
+        for (x, y), iris in zip(centres, landmarks.irises, strict=True)
+    )
