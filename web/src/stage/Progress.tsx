@@ -12,7 +12,7 @@ export function Progress(): JSX.Element | null {
   if (session.value.kind === 'finding') return <Waiting text="Looking for the face…" />;
   if (!state || hasEnded(state)) return null;
   return (
-    <section class="progress card" aria-label="Tracing">
+    <section class="progress card" aria-label="Progress">
       <LevelDots state={state} />
       <div class="progress-text">
         <strong>{connection.value === 'reconnecting' || connection.value === 'lost' ? 'Reconnecting…' : stageText(state)}</strong>
@@ -31,7 +31,7 @@ export function Progress(): JSX.Element | null {
 
 function Waiting({ text }: { readonly text: string }): JSX.Element {
   return (
-    <section class="progress card" aria-label="Opening">
+    <section class="progress card" aria-label="Progress">
       <strong>{text}</strong>
       <progress class="progress-line" aria-label={text} />
     </section>

@@ -1,0 +1,44 @@
+/** Compares two screenshots in the browser that took them. */
+import type { Page } from '@playwright/test';
+
+export type Difference = {
+  readonly count: number;
+  readonly left: number;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+};
+
+const TOLERANCE = 2; // of 255, in any channel
+
+/** How many pixels of two equally large PNGs differ, and the box round them. */
+export function difference(page: Page, a: Buffer, b: Buffer): Promise<Difference> {
+  return page.evaluate(
+    async ([first, second, tolerance]) => {
+      const pixels = async (base64: string) => {
+        const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+        const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+        const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+        const context = canvas.getContext('2d');
+        if (!context) throw new Error('no 2D context');
+        context.drawImage(bitmap, 0, 0);
+        return context.getImageData(0, 0, bitmap.width, bitmap.height);
+      };
+      const [p, q] = [await pixels(first), await pixels(second)];
+      const found = { count: 0, left: p.width, top: p.height, right: -1, bottom: -1 };
+      for (let at = 0; at < p.data.length; at += 4) {
+        const differs = [0, 1, 2].some((channel) => Math.abs(p.data[at + channel] - q.data[at + channel]) > tolerance);
+        if (!differs) continue;
+        const x = (at / 4) % p.width;
+        const y = Math.floor(at / 4 / p.width);
+        found.count += 1;
+        found.left = Math.min(found.left, x);
+        found.top = Math.min(found.top, y);
+        found.right = Math.max(found.right, x);
+        found.bottom = Math.max(found.bottom, y);
+      }
+      return found;
+    },
+    [a.toString('base64'), b.toString('base64'), TOLERANCE] as const,
+  );
+}
