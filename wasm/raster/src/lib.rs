@@ -204,3 +204,7 @@ fn add(whole: &mut [f32], part: &[f32]) {
         *w += p;
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::expect_used)] // a failed unwrap is a failed test
+mod tests;
