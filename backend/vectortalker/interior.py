@@ -1,7 +1,8 @@
 """Landmarks and picture become the parts that no picture shows at rest: mouth interior and eyeballs, as local paths.
 
 A closed mouth gets a cavity, teeth and a tongue in the portrait's own colours; its opening is empty at rest, so they
-are invisible until it opens. An open mouth shows its own and gets only a cavity to put underneath, for when it opens wider.
+are invisible until it opens. An open mouth shows its own, and gets only a cavity to put underneath for when it opens
+wider.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ LIP_PAIRS = ((50, 61), (51, 62), (52, 63), (56, 65), (57, 66), (58, 67))  # the 
 CHEEKS = ((2, 31), (14, 35), (4, 48), (12, 54), (8, 57), (27, 21), (27, 22))  # skin lies between them
 MAX_PALETTE = 24
 PALETTE_SHARE = 0.95  # of the pixels, that the palette's colours must make up
+MAX_CAVITY_LIGHTNESS = 0.3
 HUE_WEIGHT, MAX_SNAP = 3.0, 0.3
 BALL_SCALE = 1.3  # an eyeball's disc against the opening's width
 
@@ -120,8 +122,10 @@ def _palette(rgb: NDArray[np.uint8]) -> NDArray[np.float64] | None:
 
 
 def _dark_quarter(rgb: NDArray[np.uint8], inside: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """Median of the darkest quarter, darkened where teeth fill the mouth."""
     lab = to_oklab(rgb[inside] / 255)
-    return np.median(lab[lab[:, 0] <= np.percentile(lab[:, 0], 25)], axis=0)
+    dark = np.median(lab[lab[:, 0] <= np.percentile(lab[:, 0], 25)], axis=0)
+    return dark * min(1.0, MAX_CAVITY_LIGHTNESS / max(dark[0], 1e-6))
 
 
 def _light_half(rgb: NDArray[np.uint8], inside: NDArray[np.bool_]) -> NDArray[np.float64]:
