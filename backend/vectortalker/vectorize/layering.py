@@ -7,18 +7,19 @@ from dataclasses import dataclass
 import numpy as np
 import vectortalker_core as core
 from numpy.typing import NDArray
-from scipy.ndimage import gaussian_filter, grey_dilation
+from scipy.ndimage import maximum_filter, minimum_filter
 
 from vectortalker.inpaint import fill
 from vectortalker.landmarks.ibug import IrisDisc
 from vectortalker.layers import LayerTargets, targets
-from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, TOP, Completion, Level, Sheet
-from vectortalker.vectorize.losses import SCENERY_SCALE
+from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, TOP, Completion, Level, Sheet, Silhouette
+from vectortalker.vectorize.losses import SILHOUETTE_SCALE
 from vectortalker.vectorize.resize import resize
 
 FIRST_IRIS = FIRST_LOCAL + 2  # group of the image-left iris
 CORE = 0.98  # coverage at which a pixel shows nothing but the opening's inside
 CONFINEMENT = 0.5  # weight of fore paint over scenery, against 1 for a squared error of the picture
+WHOLENESS = 0.3  # weight of the fore layer alone inside its silhouette
 HIDDEN_WEIGHT = 0.15  # of what another layer hides at rest: it shows only when the head or a lid moves
 EMPHASIS = 2.0  # weight of eyes and mouth: they move, and people look there
 LOCAL_SHARE = 0.05  # of all paths lie within eyes and open mouth, at least
@@ -101,7 +102,7 @@ def layered_level(
         _sheet(TOP, smoothed, emphasis, opening * emphasis, _nearest(images.parts, frame), *_local_quota(opening)),
     )
     completion = _completion(images, frame) if opening.any() else None
-    return Level(sheets, openings, clips, _untouchable(mask, frame), completion, canvas)
+    return Level(sheets, openings, clips, _silhouette(fore, mask, frame), completion, canvas)
 
 
 def _sheet(
@@ -157,10 +158,14 @@ def _nearest(parts: NDArray[np.int64], frame: tuple[int, int]) -> NDArray[np.int
     return parts[rows.astype(int)[:, None], columns.astype(int)]
 
 
-def _untouchable(mask: NDArray[np.float32], frame: tuple[int, int]) -> NDArray[np.float32]:
-    """Scenery [h, w] at `SCENERY_SCALE`, farther from the person than `EDGE_MARGIN`."""
-    margin = max(1, round(EDGE_MARGIN * max(frame)))
-    widened = grey_dilation(mask, size=(2 * margin + 1, 2 * margin + 1))
-    quarter = (max(1, round(frame[0] * SCENERY_SCALE)), max(1, round(frame[1] * SCENERY_SCALE)))
-    soft = gaussian_filter(widened, 1).clip(0, 1)
-    return (CONFINEMENT * (1 - resize(soft, quarter))).astype(np.float32)
+def _silhouette(fore: NDArray[np.float32], mask: NDArray[np.float32], frame: tuple[int, int]) -> Silhouette:
+    """Fore alone, with a rim of `EDGE_MARGIN` on both sides of the person's edge left to the merged picture."""
+    margin = 2 * max(1, round(EDGE_MARGIN * max(frame))) + 1
+    size = (max(1, round(frame[0] * SILHOUETTE_SCALE)), max(1, round(frame[1] * SILHOUETTE_SCALE)))
+    shrunk, grown = minimum_filter(mask, size=margin), maximum_filter(mask, size=margin)
+    inside, outside = resize(shrunk, size) > CORE, resize(grown, size) < 1 - CORE
+    return Silhouette(
+        np.ascontiguousarray(resize(fore, size)),
+        np.where(inside, np.float32(WHOLENESS), np.float32(0)),
+        np.where(outside, np.float32(CONFINEMENT), np.float32(0)),
+    )

@@ -30,6 +30,19 @@ class Sheet:
 
 
 @dataclass(frozen=True)
+class Silhouette:
+    """The paper's L_fore of the fore layer alone, at a quarter of the resolution.
+
+    `target` f32 [h, w, 3]; `inside` f32 [h, w]: weight where fore must hide the back, which will show when the head
+    moves; `outside` f32 [h, w]: weight where it must paint nothing, because it moves and the scenery does not.
+    """
+
+    target: NDArray[np.float32]
+    inside: NDArray[np.float32]
+    outside: NDArray[np.float32]
+
+
+@dataclass(frozen=True)
 class Completion:
     """The paper's L_local beyond the openings, on a crop of the frame whose corner is `left`, `top`.
 
@@ -48,15 +61,14 @@ class Completion:
 class Level:
     """Targets at one resolution. `sheets` bottom to top, the last is the merged picture.
 
-    `openings`: outlines [3S, 2] in its px; `clips` f32 [k, H, W]: their coverage. `scenery` f32 [h, w], at a quarter of
-    the resolution: weight where fore paths must paint nothing, because they will move and the scenery will not. Both
-    this and `completion` are None without layers.
+    `openings`: outlines [3S, 2] in its px; `clips` f32 [k, H, W]: their coverage. `silhouette` and `completion`: what
+    fore and local paint alone; None without layers.
     """
 
     sheets: tuple[Sheet, ...]
     openings: tuple[NDArray[np.float64], ...]
     clips: NDArray[np.float32]
-    scenery: NDArray[np.float32] | None
+    silhouette: Silhouette | None
     completion: Completion | None
     canvas: NDArray[np.float32]
 

@@ -9,10 +9,10 @@ import vectortalker_core as core
 from numpy.typing import NDArray
 
 from vectortalker.scene import OPENING_OF_PART
-from vectortalker.vectorize.level import FIRST_LOCAL, FORE, Completion, Level
+from vectortalker.vectorize.level import FIRST_LOCAL, FORE, Completion, Level, Silhouette
 from vectortalker.vectorize.population import Population
 
-SCENERY_SCALE = 0.25  # resolution of the confinement pass: a sixteenth of the pixels
+SILHOUETTE_SCALE = 0.25  # resolution at which the fore layer is looked at alone: a sixteenth of the pixels
 
 
 @dataclass(frozen=True)
@@ -62,22 +62,24 @@ def evaluate(population: Population, level: Level, fidelity: Fidelity, importanc
     return Evaluation(float(np.sum(losses)), image, gradients, gains)
 
 
-def confine_fore(
+def detach_fore(
     population: Population,
-    scenery: NDArray[np.float32],
+    silhouette: Silhouette,
     screen: NDArray[np.float32],
     times: int,
     threads: int,
     gradients: dict[str, NDArray[np.float32]],
 ) -> None:
-    """Add to `gradients`, `times` over, what keeps fore paths off the scenery.
+    """Add to `gradients`, `times` over, what makes the fore layer whole by itself: L_fore of supplement B.
 
-    The fore paths alone are painted over a `screen` colour f32 [3]: whatever they change where `scenery` [h, w] has
-    weight is error. With another random screen every time, no colour is a hiding place.
+    The fore paths alone are painted over a `screen` colour f32 [3]: inside the silhouette none of it may show, outside
+    it must stay as it is. With another random screen every time, no colour is a hiding place.
     """
     fore = slice(population.below(FORE), population.below(FIRST_LOCAL))
-    height, width = scenery.shape
-    scale = np.float32(SCENERY_SCALE)
+    height, width = silhouette.inside.shape
+    scale = np.float32(SILHOUETTE_SCALE)
+    target = np.where(silhouette.inside[..., None] > 0, silhouette.target, screen)
+    weight = (silhouette.inside + silhouette.outside) * np.float32(times)
     _, _, grad_points, grad_stops, grad_axis, _ = core.loss_and_gradients(
         population.points[fore] * scale,
         population.stops[fore],
@@ -86,7 +88,7 @@ def confine_fore(
         np.full(fore.stop - fore.start, -1, np.int32),
         np.zeros((0, height, width), np.float32),
         screen,
-        [(fore.stop - fore.start, np.tile(screen, (height, width, 1)), scenery * np.float32(times))],
+        [(fore.stop - fore.start, target, weight)],
         threads=threads,
     )
     gradients["points"][fore] += grad_points * scale

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vectortalker.vectorize.level import FIRST_LOCAL, Level
-from vectortalker.vectorize.losses import Fidelity, complete_local, confine_fore, evaluate
+from vectortalker.vectorize.losses import Fidelity, complete_local, detach_fore, evaluate
 from vectortalker.vectorize.options import Settings
 from vectortalker.vectorize.painted import compensate
 from vectortalker.vectorize.population import Population, move, rescale, take
@@ -143,9 +143,9 @@ def _add_asides(
     threads: int,
 ) -> None:
     """Add the gradients of the losses that look at one layer alone, which the fused pass cannot see."""
-    if level.scenery is not None:
+    if level.silhouette is not None:
         screen = generator.random(3, dtype=np.float32)
-        confine_fore(population, level.scenery, screen, ASIDE_EVERY, threads, gradients)
+        detach_fore(population, level.silhouette, screen, ASIDE_EVERY, threads, gradients)
     if level.completion is not None:
         complete_local(population, level.completion, level.frame, ASIDE_EVERY, threads, gradients)
 
