@@ -21,7 +21,7 @@ Kind = Literal["vectorize", "video"]
 Wish = Literal["go_on", "finish", "stop"]  # what the user wants of a running job
 
 ENDED = ("done", "failed", "cancelled")
-LEASE_SECONDS = 5.0  # supervisors renew every second; a server that died is noticed after this
+LEASE_SECONDS = 10.0  # supervisors renew every second; a server that died is noticed after this
 MAX_DEATHS = 2  # of workers, on one job
 ORPHAN_SECONDS = 5.0  # a queued job without a queue entry is entered again after this
 
