@@ -117,9 +117,11 @@ def _sheet(
     return Sheet(below, target, weight.astype(np.float32), claim.astype(np.float32), owner, quota, most_radius)
 
 
-def _completion(images: LayerImages, frame: tuple[int, int]) -> Completion:
-    """Local picture on the smallest crop that holds its extent."""
+def _completion(images: LayerImages, frame: tuple[int, int]) -> Completion | None:
+    """Local picture on the smallest crop that holds its extent; None if that is too small to be seen in the frame."""
     extent = resize(images.layers.local_extent, frame)
+    if not extent.any():
+        return None
     rows, columns = np.flatnonzero(extent.any(axis=1)), np.flatnonzero(extent.any(axis=0))
     crop = (slice(rows[0], rows[-1] + 1), slice(columns[0], columns[-1] + 1))
     target, inside = resize(images.layers.local, frame)[crop], extent[crop]
