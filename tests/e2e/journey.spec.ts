@@ -105,7 +105,7 @@ test('a sample becomes a layered SVG, is posed, played, reloaded and exported', 
   });
 });
 
-/** The box round the mesh triangles that meet at a point of the page. */
+/** The box round the mesh triangles that meet at a point of the page, and round their neighbours, whose curves join on smoothly. */
 async function trianglesAround(page: Page, at: Point): Promise<{ left: number; top: number; right: number; bottom: number }> {
   await page.getByRole('button', { name: 'Mesh' }).click();
   await settled(page);
@@ -115,11 +115,13 @@ async function trianglesAround(page: Page, at: Point): Promise<{ left: number; t
   const triangles = d
     .split('Z')
     .filter(Boolean)
-    .map((triangle) => (triangle.match(/-?[\d.]+/g) ?? []).map(Number));
-  const corners = triangles
-    .map((t) => [0, 2, 4].map((k) => ({ x: t[k] + (origin?.x ?? 0), y: t[k + 1] + (origin?.y ?? 0) })))
-    .filter((points) => points.some(({ x, y }) => Math.hypot(x - at.x, y - at.y) < 1))
-    .flat();
+    .map((text) => {
+      const t = (text.match(/-?[\d.]+/g) ?? []).map(Number);
+      return [0, 2, 4].map((k): Point => ({ x: t[k] + (origin?.x ?? 0), y: t[k + 1] + (origin?.y ?? 0) }));
+    });
+  const touching = (points: readonly Point[]) =>
+    triangles.filter((triangle) => triangle.some((a) => points.some((b) => Math.hypot(a.x - b.x, a.y - b.y) < 1))).flat();
+  const corners = touching(touching([at]));
   expect(corners.length).toBeGreaterThan(0);
   return {
     left: Math.min(...corners.map(({ x }) => x)),

@@ -2,7 +2,7 @@ import { mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { defineConfig } from '@playwright/test';
-import { systemChromium } from './chromium';
+import { systemChromium } from './chromium.mjs';
 
 const PORT = 8317;
 const ROOT = join(import.meta.dirname, '../..');

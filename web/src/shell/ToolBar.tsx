@@ -14,10 +14,10 @@ const TOOLS: readonly { readonly name: ToolName; readonly label: string; readonl
 
 export function ToolBar(): JSX.Element {
   return (
-    <div class="tool-bar" role="toolbar" aria-label="Tools" aria-orientation="vertical">
+    <nav class="tool-bar" aria-label="Tools">
       {TOOLS.map(({ name, label, keys, icon }) => (
         <IconButton key={name} icon={icon} label={label} keys={keys} pressed={tool.value === name} onClick={() => takeTool(name)} />
       ))}
-    </div>
+    </nav>
   );
 }

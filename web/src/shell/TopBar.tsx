@@ -21,6 +21,7 @@ export function TopBar(): JSX.Element {
         <BrandMark />
         VectorTalker
       </button>
+      {isOpen && <h1 class="visually-hidden">{edit.value.name}</h1>}
       {isOpen && <NameAndSteps />}
       <div class="spacer" />
       <IconButton icon={THEME_ICONS[theme.value]} label={`Theme: ${theme.value}`} onClick={nextTheme} />

@@ -1,8 +1,10 @@
 /** The rig of the present scene and rest landmarks, and where it stands now: computed, never stored. */
-import { computed, signal } from '@preact/signals';
+import { computed, effect, signal } from '@preact/signals';
 import type { Xy } from '../face/vector';
 import { buildRig, type Rig } from '../rig/rig';
 import { REST_POSE } from '../store/edit';
+import { undoStep } from '../store/editing';
+import { FileError, report } from '../store/notices';
 import { edit, history, scene, timeSeconds, tool, track } from '../store/state';
 import { posedBy } from '../timeline/track';
 
@@ -12,10 +14,39 @@ export const rigModuleReady = signal(false);
 /** Rebuilt when a finer scene comes and when a correction of the rest landmarks is let go. */
 const restLandmarks = computed(() => history.value.present.landmarks);
 
-export const rig = computed<Rig | null>(() => {
-  if (!rigModuleReady.value || !scene.value || !restLandmarks.value) return null;
-  return buildRig(scene.value, restLandmarks.value);
+type Rigged =
+  | { readonly kind: 'none' }
+  | { readonly kind: 'rigged'; readonly rig: Rig }
+  | { readonly kind: 'refused'; readonly reason: Error };
+
+const rigged = computed<Rigged>(() => {
+  if (!rigModuleReady.value || !scene.value || !restLandmarks.value) return { kind: 'none' };
+  try {
+    return { kind: 'rigged', rig: buildRig(scene.value, restLandmarks.value) };
+  } catch (reason) {
+    if (!(reason instanceof Error)) throw reason;
+    return { kind: 'refused', reason };
+  }
 });
+
+export const rig = computed<Rig | null>(() => (rigged.value.kind === 'rigged' ? rigged.value.rig : null));
+
+/** Says why landmarks span no face, and gives the memory of replaced rigs back, until the returned function is called. */
+export function tendRigs(): () => void {
+  let shown: Rig | null = null;
+  return effect(() => {
+    const now = rigged.value;
+    if (now.kind === 'refused') report(new FileError(now.reason.message), { label: 'Undo', run: undoStep });
+    const next = now.kind === 'rigged' ? now.rig : null;
+    if (shown && shown !== next) retire(shown);
+    shown = next;
+  });
+}
+
+/** Frames that are being drawn may still read it. */
+function retire(old: Rig): void {
+  requestAnimationFrame(() => requestAnimationFrame(() => old.dispose()));
+}
 
 /** While the rest landmarks are corrected, the portrait stands as it was drawn. */
 export const standingPose = computed(() => (tool.value === 'rest' ? REST_POSE : posedBy(edit.value.pose, track.value, timeSeconds.value)));

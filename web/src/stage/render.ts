@@ -4,7 +4,7 @@ import type { Rig } from '../rig/rig';
 import { edit, ghostShown, landmarksShown, meshShown, playing, scene, session, tool } from '../store/state';
 import { createOverlay, type Overlay } from './overlay';
 import { OPENING_NAMES, type Picture, pictureOf, showLayers } from './picture';
-import { rig, standing, standingPoints } from './posing';
+import { rig, standing, standingPoints, tendRigs } from './posing';
 import { viewBoxOf } from './view';
 import { hoveredTarget, stageSize, view } from './viewState';
 
@@ -24,6 +24,7 @@ export function startRendering({ picture: host, slot, overlay: overlayHost }: St
   const disposals = [
     effect(() => host.setAttribute('viewBox', viewBoxOf(view.value, stageSize.value))),
     renderPicture(slot),
+    tendRigs(),
     eachFrame(() => drawOverlay(overlay)),
     effect(() => overlay.highlight(hoveredTarget.value?.kind === 'landmark' ? hoveredTarget.value.index : null)),
   ];

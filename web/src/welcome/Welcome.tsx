@@ -63,13 +63,13 @@ function Samples(): JSX.Element | null {
   );
 }
 
-function SampleCard({ sample: { file, label, style } }: { readonly sample: Sample }): JSX.Element {
+function SampleCard({ sample: { file, name, style, credit, licence } }: { readonly sample: Sample }): JSX.Element {
   const url = `samples/${file}`;
   return (
-    <button type="button" class="sample" onClick={() => openSample(url, file).catch(report)}>
+    <button type="button" class="sample" title={`${credit}. ${licence}`} onClick={() => openSample(url, file).catch(report)}>
       <img src={url} alt="" loading="lazy" />
       <span>
-        <strong>{label}</strong>
+        <strong>{name}</strong>
         <span class="quiet">{style}</span>
       </span>
     </button>

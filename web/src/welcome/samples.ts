@@ -1,7 +1,14 @@
 /** The portraits that ship with the editor. */
 import { signal } from '@preact/signals';
 
-export type Sample = { readonly file: string; readonly label: string; readonly style: string };
+/** `credit` and `licence` are shown with the picture. */
+export type Sample = {
+  readonly file: string;
+  readonly name: string;
+  readonly style: string;
+  readonly credit: string;
+  readonly licence: string;
+};
 
 export const samples = signal<readonly Sample[]>([]);
 

@@ -1,11 +1,11 @@
 /** Finds the system's Chromium; no browser is ever downloaded. */
 import { existsSync } from 'node:fs';
 import { delimiter, join } from 'node:path';
-import type { LaunchOptions } from '@playwright/test';
 
 const NAMES = ['chromium', 'chromium-browser', 'google-chrome'];
 
-export function systemChromium(): LaunchOptions {
+/** @returns {import('@playwright/test').LaunchOptions} */
+export function systemChromium() {
   return {
     executablePath: chromiumPath(),
     ignoreDefaultArgs: ['--enable-unsafe-swiftshader'],
@@ -21,7 +21,8 @@ export function systemChromium(): LaunchOptions {
   };
 }
 
-function chromiumPath(): string {
+/** @returns {string} */
+function chromiumPath() {
   const folders = (process.env.PATH ?? '').split(delimiter);
   const found = NAMES.flatMap((name) => folders.map((folder) => join(folder, name))).find((path) => existsSync(path));
   if (!found) throw new Error(`No Chromium on the PATH (${NAMES.join(', ')}); on Debian: apt-get install chromium`);
