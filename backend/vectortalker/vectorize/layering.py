@@ -114,6 +114,7 @@ def _sheet(
     quota: float = 0.0,
     most_radius: float = np.inf,
 ) -> Sheet:
+    target = np.ascontiguousarray(target)
     return Sheet(below, target, weight.astype(np.float32), claim.astype(np.float32), owner, quota, most_radius)
 
 
@@ -151,7 +152,7 @@ def emphasise(shape: tuple[int, int], landmarks: NDArray[np.float64]) -> NDArray
 
 
 def _blend(under: NDArray[np.float32], over: NDArray[np.float32], share: NDArray[np.float32]) -> NDArray[np.float32]:
-    return under + share[..., None] * (over - under)
+    return np.asarray(under + share[..., None] * (over - under), np.float32)
 
 
 def _nearest(parts: NDArray[np.int64], frame: tuple[int, int]) -> NDArray[np.int64]:
@@ -164,7 +165,8 @@ def _silhouette(fore: NDArray[np.float32], mask: NDArray[np.float32], frame: tup
     """Fore alone, with a rim of `EDGE_MARGIN` on both sides of the person's edge left to the merged picture."""
     margin = 2 * max(1, round(EDGE_MARGIN * max(frame))) + 1
     size = (max(1, round(frame[0] * SILHOUETTE_SCALE)), max(1, round(frame[1] * SILHOUETTE_SCALE)))
-    shrunk, grown = minimum_filter(mask, size=margin), maximum_filter(mask, size=margin)
+    shrunk = np.asarray(minimum_filter(mask, size=margin), np.float32)
+    grown = np.asarray(maximum_filter(mask, size=margin), np.float32)
     inside, outside = resize(shrunk, size) > CORE, resize(grown, size) < 1 - CORE
     return Silhouette(
         np.ascontiguousarray(resize(fore, size)),

@@ -13,7 +13,7 @@ from vectortalker.vectorize.losses import Fidelity, complete_local, detach_fore,
 from vectortalker.vectorize.options import Settings
 from vectortalker.vectorize.painted import compensate
 from vectortalker.vectorize.population import Population, move, rescale, take
-from vectortalker.vectorize.schedule import LEAST_RADIUS, RECIPES, Ingredients, LevelPlan, decay
+from vectortalker.vectorize.schedule import LEAST_RADIUS, RECIPES, Ingredients, LevelPlan, corrections, decay
 from vectortalker.vectorize.seeding import seed
 
 REPORT_EVERY = 10  # iterations; a cancelled job stops within a tenth of a second
@@ -70,7 +70,7 @@ def optimise(
         )
         yield Step(population, index, done, picture=index > 0, level_done=False)
         fitted = level
-        compensations = {round(share * level_plan.iterations) for share in ingredients.compensate}
+        corrected_at = corrections(ingredients, level_plan)
         for i in range(1, level_plan.iterations + 1):
             iteration = _Iteration(
                 i,
@@ -78,7 +78,7 @@ def optimise(
                 _fidelity(ingredients, i, level_plan.iterations, last, threads),
                 _moved_radius(ingredients, i, level_plan, last),
             )
-            if last and i in compensations:
+            if last and i in corrected_at:
                 fitted = compensate(level, population, iteration.fidelity)
             population = _iterate(population, fitted, settings, iteration, generator)
             done += 1

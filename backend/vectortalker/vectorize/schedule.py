@@ -16,6 +16,7 @@ REFERENCE_PATHS = 500
 COARSEST_RADIUS, FINEST_RADIUS = 40.0, 6.0
 LEAST_RADIUS = 2.0  # level px; a smaller circle has no inside to learn from
 UNIFORM_RADIUS = 20.0
+ITERATIONS_FOR_ALL_CORRECTIONS = 300  # a correction costs as much as a dozen iterations
 
 
 @dataclass(frozen=True)
@@ -111,3 +112,9 @@ def decay(done: int, total: int, start: float) -> float:
     """Factor of the rates after `done` of `total` iterations: 1 until the share `start`, then a cosine to 0."""
     share = (done / max(1, total) - start) / max(1e-9, 1 - start)
     return float(0.5 * (1 + np.cos(np.pi * np.clip(share, 0, 1))))
+
+
+def corrections(ingredients: Ingredients, level_plan: LevelPlan) -> set[int]:
+    """Iterations of the last level at which its targets are corrected; a short level affords one correction."""
+    shares = ingredients.compensate[: 1 if level_plan.iterations < ITERATIONS_FOR_ALL_CORRECTIONS else None]
+    return {round(share * level_plan.iterations) for share in shares}
