@@ -132,6 +132,8 @@ def main() -> int:
             f"{outcome.name}: {outcome.exit_code}, {outcome.seconds:.1f} s, {outcome.megabytes:.0f} MB{mark}",
             flush=True,
         )
+        if not outcome.is_sensible:
+            print(outcome.stderr, flush=True)
         outcomes.append(outcome)
     (REPOSITORY / "docs" / "robustness.md").write_text(report(outcomes), encoding="utf-8")
     return 0 if all(outcome.is_sensible for outcome in outcomes) else 1
