@@ -23,6 +23,8 @@ export type Frame = {
   readonly changed: readonly number[];
   /** SVG path data of any path, changed or not. */
   readonly d: (pathIndex: number) => string;
+  /** Where the ends x1, y1, x2, y2 of the gradients of the changed paths go, four numbers each. */
+  readonly axes: Float64Array;
 };
 
 /** Flat control points of one path of a frame, and where the ends x1, y1, x2, y2 of its gradient go with it. */
@@ -141,14 +143,15 @@ export class Rig {
     return result;
   }
 
-  /** Paths that differ from the frame before (the first time: from rest), with their path data. */
-  frame(vertices: Float64Array): Frame {
+  /** Paths that differ from the frame before (the first time: from rest), with their path data; `axes` as in `movedPoints`. */
+  frame(vertices: Float64Array, axes: Float64Array): Frame {
     const frame = this.#core.frame(vertices, this.#shown);
     const changed = [...frame.changed];
+    const moved = this.#core.followGradients(frame.changed, frame.starts, frame.points, axes);
     this.#keepStrings(frame, changed);
     frame.free();
     this.#shown = vertices.slice();
-    return { changed, d: (path) => this.#pathData(path) };
+    return { changed, d: (path) => this.#pathData(path), axes: moved };
   }
 
   /** All paths that differ from rest; `axes` are the gradient ends of every path at rest, four numbers each. */

@@ -23,6 +23,9 @@ export type Picture = {
   readonly layers: Readonly<Record<LayerName, SVGGElement>>;
   readonly paths: readonly SVGPathElement[];
   readonly openings: Readonly<Record<OpeningName, SVGPathElement>>;
+  readonly gradients: ReadonlyMap<number, SVGLinearGradientElement>;
+  /** Ends x1, y1, x2, y2 of every path's gradient at rest; zeros where the fill is solid. */
+  readonly axes: Float64Array;
 };
 
 export function pictureOf(scene: Scene): Picture {
@@ -34,15 +37,20 @@ export function pictureOf(scene: Scene): Picture {
   };
   const canvas = svgElement('rect', { width: '100%', height: '100%', fill: scene.canvas });
   const layers = { back: svgElement('g', { id: 'back' }), fore: svgElement('g', { id: 'fore' }), local: svgElement('g', { id: 'local' }) };
-  const paint = (path: ScenePath, index: number) => pathElement(path, index, definitions);
+  const gradients = new Map<number, SVGLinearGradientElement>();
+  const paint = (path: ScenePath, index: number) => {
+    if (path.fill.kind === 'linear') gradients.set(index, gradient(index, path.fill));
+    return pathElement(path, index);
+  };
   const plain = [...scene.back, ...scene.fore].map(paint);
   const local = scene.local.map((path, k) => paint(path, plain.length + k));
   layers.back.append(...plain.slice(0, scene.back.length));
   layers.fore.append(...plain.slice(scene.back.length));
   layers.local.append(...clippedRuns(scene.local, local));
   const root = svgElement('svg', { width: `${scene.width}`, height: `${scene.height}`, viewBox: `0 0 ${scene.width} ${scene.height}` });
+  definitions.append(...gradients.values());
   root.append(definitions, canvas, ...LAYER_NAMES.map((name) => layers[name]));
-  return { root, layers, paths: [...plain, ...local], openings };
+  return { root, layers, paths: [...plain, ...local], openings, gradients, axes: axesOf(scene) };
 }
 
 export function showLayers(picture: Picture, looks: Readonly<Record<LayerName, LayerLook>>): void {
@@ -50,6 +58,21 @@ export function showLayers(picture: Picture, looks: Readonly<Record<LayerName, L
     picture.layers[name].style.display = looks[name].visible ? '' : 'none';
     picture.layers[name].style.opacity = looks[name].opacity === 1 ? '' : `${looks[name].opacity}`;
   }
+}
+
+/** Moves the gradient of a path; the ends lie at `at` in `axes`. */
+export function showGradient({ gradients }: Picture, path: number, axes: Float64Array, at: number): void {
+  const moved = gradients.get(path);
+  if (!moved) return;
+  ['x1', 'y1', 'x2', 'y2'].forEach((name, k) => {
+    moved.setAttribute(name, axes[at + k].toFixed(2));
+  });
+}
+
+function axesOf({ back, fore, local }: Scene): Float64Array {
+  return Float64Array.from(
+    [...back, ...fore, ...local].flatMap(({ fill }) => (fill.kind === 'linear' ? [...fill.start, ...fill.end] : [0, 0, 0, 0])),
+  );
 }
 
 /** `d` of a path at rest: absolute cubics from its control points. */
@@ -73,12 +96,10 @@ function clippedRuns(paths: readonly LocalPath[], elements: readonly SVGPathElem
   return runs.map(({ group }) => group);
 }
 
-function pathElement(path: ScenePath, index: number, definitions: SVGDefsElement): SVGPathElement {
+function pathElement(path: ScenePath, index: number): SVGPathElement {
   const paint = svgElement('path', { d: restPathString(path) });
   if (path.fill.kind === 'linear') {
-    const id = `fill-${index}`;
-    definitions.append(gradient(id, path.fill));
-    paint.setAttribute('fill', `url(#${id})`);
+    paint.setAttribute('fill', `url(#fill-${index})`);
     return paint;
   }
   paint.setAttribute('fill', path.fill.colour);
@@ -86,10 +107,10 @@ function pathElement(path: ScenePath, index: number, definitions: SVGDefsElement
   return paint;
 }
 
-function gradient(id: string, { start, end, stops }: LinearFill): SVGLinearGradientElement {
+function gradient(index: number, { start, end, stops }: LinearFill): SVGLinearGradientElement {
   const [x1, y1] = start.map(String);
   const [x2, y2] = end.map(String);
-  const made = svgElement('linearGradient', { id, gradientUnits: 'userSpaceOnUse', x1, y1, x2, y2 });
+  const made = svgElement('linearGradient', { id: `fill-${index}`, gradientUnits: 'userSpaceOnUse', x1, y1, x2, y2 });
   stops.forEach(({ colour, opacity }, offset) => {
     made.append(svgElement('stop', { offset: `${offset}`, 'stop-color': colour, 'stop-opacity': `${opacity}` }));
   });

@@ -3,7 +3,7 @@ import { effect, untracked } from '@preact/signals';
 import type { Rig } from '../rig/rig';
 import { edit, ghostShown, landmarksShown, meshShown, playing, scene, session, tool } from '../store/state';
 import { createOverlay, type Overlay } from './overlay';
-import { OPENING_NAMES, type Picture, pictureOf, showLayers } from './picture';
+import { OPENING_NAMES, type Picture, pictureOf, showGradient, showLayers } from './picture';
 import { rig, standing, standingPoints, tendRigs } from './posing';
 import { viewBoxOf } from './view';
 import { hoveredTarget, stageSize, view } from './viewState';
@@ -66,9 +66,17 @@ function renderPicture(slot: SVGGElement): () => void {
 }
 
 function showFrame(picture: Picture, current: Rig, vertices: Float64Array, isFirst: boolean): void {
-  const frame = current.frame(vertices);
-  const changed = isFirst ? picture.paths.keys() : frame.changed;
-  for (const index of changed) picture.paths[index].setAttribute('d', frame.d(index));
+  const frame = current.frame(vertices, picture.axes);
+  if (isFirst) {
+    picture.paths.forEach((path, index) => {
+      path.setAttribute('d', frame.d(index));
+      showGradient(picture, index, picture.axes, 4 * index);
+    });
+  }
+  frame.changed.forEach((index, k) => {
+    picture.paths[index].setAttribute('d', frame.d(index));
+    showGradient(picture, index, frame.axes, 4 * k);
+  });
   const openings = current.openings(vertices);
   OPENING_NAMES.forEach((name, index) => {
     picture.openings[name].setAttribute('d', openings[index]);

@@ -59,13 +59,21 @@ function follow(state: JobState, landmarks: Landmarks | null): void {
   });
 }
 
+/** A job counts as ended once its last scene is on the stage. */
 async function receive(state: JobState): Promise<void> {
-  const before = job.value;
+  if (state.level !== job.value?.level && state.level > 0) announce(`Level ${state.level} of ${state.levels}, ${state.n_paths} paths`);
+  if (!hasEnded(state)) job.value = state;
+  try {
+    if (state.scene_revision > fetchedRevision) await fetchScene(state);
+  } finally {
+    if (hasEnded(state) && job.value?.id === state.id) end(state);
+  }
+}
+
+function end(state: JobState): void {
   job.value = state;
-  if (state.level !== before?.level && state.level > 0) announce(`Level ${state.level} of ${state.levels}, ${state.n_paths} paths`);
-  if (hasEnded(state)) connection.value = null;
-  if (state.scene_revision > fetchedRevision) await fetchScene(state);
-  if (hasEnded(state)) sayHowItEnded(state);
+  connection.value = null;
+  sayHowItEnded(state);
 }
 
 /** Scenes may be asked for while an earlier answer is on its way; the newest wins. */
