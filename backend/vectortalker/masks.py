@@ -37,7 +37,7 @@ MIN_AREA, MAX_AREA = 0.02, 0.97  # shares of the picture a foreground may take
 MAX_UNSURE = 0.2  # values of .1-.9, as a share of the mask's area; photographs .02-.17, flat cartoons .22-.95
 PLAIN_TOLERANCE = 3  # of 255, per channel: flat colour, not a photographed wall
 MIN_PLAIN_BORDER = 0.7  # share of the left, top and right border
-MAX_SOLIDITY = 0.97  # a figure without any hollow is a framed picture
+MAX_RECTANGULARITY = 0.95  # a figure that fills its rectangle is a framed picture
 MIN_ISLAND = 0.05  # share of the largest part below which a part is a speck
 MAX_HOLE = 0.005  # share of the picture below which a hole is filled
 FOREHEAD = 0.35  # height above the brows, as a share of brows to chin
@@ -126,7 +126,7 @@ def _off_plain_background(rgb: NDArray[np.uint8]) -> NDArray[np.float32]:
     regions = _parts(near)
     touching = np.unique(np.concatenate([regions[:, 0], regions[0], regions[:, -1]]))
     figure = ~np.isin(regions, touching[touching > 0])
-    if _solidity(figure) > MAX_SOLIDITY:
+    if _rectangularity(figure) > MAX_RECTANGULARITY:
         return np.zeros(near.shape, np.float32)
     return figure.astype(np.float32)
 
@@ -136,8 +136,8 @@ def _parts(mask: NDArray[np.bool_]) -> NDArray[np.int64]:
     return np.asarray(measure.label(mask, connectivity=1), np.int64)
 
 
-def _solidity(figure: NDArray[np.bool_]) -> float:
-    """Area of the largest part, holes filled, over that of its convex hull; 0 for less than two rows."""
+def _rectangularity(figure: NDArray[np.bool_]) -> float:
+    """Area of the largest part, holes filled, over its smallest rectangle, turned or not; 0 for less than two rows."""
     parts = _parts(np.asarray(ndimage.binary_fill_holes(figure), bool))
     largest = parts == np.bincount(parts.ravel(), minlength=2)[1:].argmax() + 1
     rows = np.flatnonzero(largest.any(axis=1))
@@ -146,7 +146,13 @@ def _solidity(figure: NDArray[np.bool_]) -> float:
     left = largest[rows].argmax(axis=1)
     right = largest.shape[1] - largest[rows, ::-1].argmax(axis=1)
     corners = np.concatenate([np.stack([x, rows + y], axis=1) for x in (left, right) for y in (0, 1)])
-    return float(largest.sum() / ConvexHull(corners).volume)
+    hull = corners[ConvexHull(corners).vertices].astype(float)
+    # The smallest rectangle lies along a side of the hull.
+    along = np.roll(hull, -1, axis=0) - hull
+    along /= np.linalg.norm(along, axis=1, keepdims=True)
+    across = np.stack([-along[:, 1], along[:, 0]], axis=1)
+    areas = np.ptp(hull @ along.T, axis=0) * np.ptp(hull @ across.T, axis=0)
+    return float(largest.sum() / areas.min())
 
 
 def _selfie(rgb: NDArray[np.uint8]) -> NDArray[np.float32]:

@@ -30,9 +30,7 @@ def encoded(image: Image.Image, format_: str, **options: object) -> bytes:
     return buffer.getvalue()
 
 
-def flat(
-    colour: tuple[int, ...] | int, mode: str = "RGB", size: tuple[int, int] = (40, 20)
-) -> Image.Image:
+def flat(colour: tuple[int, ...] | int, mode: str = "RGB", size: tuple[int, int] = (40, 20)) -> Image.Image:
     return Image.new(mode, size, colour)
 
 
@@ -73,9 +71,7 @@ def test_exif_orientation_turns_the_picture_upright() -> None:
 
 def test_animation_uses_its_first_frame_and_says_so() -> None:
     frames = [flat((10, 0, 0)), flat((200, 0, 0))]
-    portrait = decode(
-        encoded(frames[0], "GIF", save_all=True, append_images=frames[1:]), "film"
-    )
+    portrait = decode(encoded(frames[0], "GIF", save_all=True, append_images=frames[1:]), "film")
     assert portrait.rgb[0, 0, 0] == 10
     assert portrait.notices == ("First of 2 frames used.",)
 
@@ -107,9 +103,7 @@ def test_limit_is_refused_with_its_code(limits: Limits, code: str) -> None:
 
 @pytest.mark.parametrize("kept", [0, 1, 30, 60])
 def test_cut_file_is_refused(kept: int) -> None:
-    noise = Image.fromarray(
-        np.random.default_rng(0).integers(0, 255, (64, 64, 3), np.uint8)
-    )
+    noise = Image.fromarray(np.random.default_rng(0).integers(0, 255, (64, 64, 3), np.uint8))
     with pytest.raises(VectorTalkerError) as refused:
         decode(encoded(noise, "PNG")[: kept * 100], "cut.png")
     assert refused.value.code == "bad_picture"

@@ -1,8 +1,8 @@
 """A fitted mesh becomes a measure of how far it can be trusted.
 
-The network's own face flag is 1.00 on fits that are plainly wrong. What tells them apart is how far the landmarks move when the
-region of interest is drawn again from the mesh itself: photographs and paintings .8-3 % of the outer-eye distance, anime and line
-drawings 3-5 %, manga, masks and profiles 5-16 %.
+The network's own face flag is 1.00 on fits that are plainly wrong. What tells them apart is how far the landmarks move
+when the region of interest is drawn again from the mesh itself: photographs and paintings .8-3 % of the outer-eye
+distance, anime and line drawings 3-5 %, manga, masks and profiles 5-16 %.
 """
 
 from __future__ import annotations
@@ -11,11 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vectortalker.landmarks.ibug import depth_towards_viewer, ibug_points, outer_eye_distance
-from vectortalker.landmarks.mesh import FaceMesh, fit_mesh
-from vectortalker.landmarks.window import Window
+from vectortalker.landmarks.mesh import FaceMesh, fit_mesh, roi_around
 
 ROI_MARGINS = (1.25, 1.5)
-LEFT_OUTER_EYE, RIGHT_OUTER_EYE = 33, 263  # mesh vertices
 MAX_WOBBLE = 0.03
 MIN_CLEAR_SCORE = 0.8
 MAX_YAW_DEGREES = 40.0  # beyond it the far eye and the far half of the mouth are guesses
@@ -26,7 +24,7 @@ def wobble(image: NDArray[np.uint8], mesh: FaceMesh) -> float:
     points = ibug_points(mesh.points)
     shifts = []
     for margin in ROI_MARGINS:
-        again = ibug_points(fit_mesh(image, _roi_of(mesh, margin)).points)
+        again = ibug_points(fit_mesh(image, roi_around(mesh, margin)).points)
         shifts.append(np.linalg.norm(again[:, :2] - points[:, :2], axis=1).mean())
     return float(np.mean(shifts)) / outer_eye_distance(points)
 
@@ -34,19 +32,6 @@ def wobble(image: NDArray[np.uint8], mesh: FaceMesh) -> float:
 def fit_is_doubtful(mesh: FaceMesh, score: float, mesh_wobble: float) -> bool:
     """True if the user should check the landmarks or place the five pins."""
     return score * mesh.presence < MIN_CLEAR_SCORE or mesh_wobble > MAX_WOBBLE or abs(_yaw(mesh)) > MAX_YAW_DEGREES
-
-
-def _roi_of(mesh: FaceMesh, margin: float) -> Window:
-    """Square around the mesh, turned so that the eyes are level."""
-    xy = mesh.points[:, :2]
-    dx, dy = xy[RIGHT_OUTER_EYE] - xy[LEFT_OUTER_EYE]
-    angle = float(np.arctan2(dy, dx))
-    level = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
-    turned = xy @ level
-    low, high = turned.min(axis=0), turned.max(axis=0)
-    cx, cy = (low + high) / 2 @ level.T
-    side = float((high - low).max()) * margin
-    return Window(float(cx), float(cy), side, side, angle)
 
 
 def _yaw(mesh: FaceMesh) -> float:

@@ -1,4 +1,4 @@
-"""A picture becomes its faces with landmarks, largest first, each with a confidence and whether a fit by hand is advised."""
+"""A picture becomes its faces with landmarks, largest first, each with a confidence and whether to check it by hand."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from PIL import Image
 from vectortalker.landmarks.detector import find_faces
 from vectortalker.landmarks.doubt import fit_is_doubtful, wobble
 from vectortalker.landmarks.ibug import IrisDisc, depth_towards_viewer, ibug_points, iris_discs
-from vectortalker.landmarks.mesh import FaceMesh, fit_mesh
+from vectortalker.landmarks.mesh import FaceMesh, fit_mesh, roi_around
 from vectortalker.landmarks.views import View, other_views, plain_view
 from vectortalker.landmarks.window import Window
 
@@ -21,6 +21,7 @@ MIN_PRESENCE = 0.5
 CLEAR_SCORE = 0.85  # a plain view this good is not looked at again
 MIN_TILTED_SCORE, MIN_TILTED_PRESENCE = 0.75, 0.95  # animals and textures reach .73 when turned
 PRESENCE_SLACK = 0.95  # the plain picture's fit may be this much less certain than the view's
+TURNED_ROI_MARGIN = 1.4
 TILT_GAIN = 0.08  # a turned view must beat the upright ones by this; an upside-down face scores .8 when read upright
 
 
@@ -86,8 +87,13 @@ def _look(view: View, needed: float) -> list[_Found]:
     for box in find_faces(view.image, view.window):
         if box.score > (MIN_SCORE if found else needed):
             mesh = fit_mesh(view.image, box.roi)
-            if mesh.presence >= min_presence:
-                found.append(_Found(box.score, box.roi, mesh, view.image))
+            if mesh.presence < min_presence:
+                continue
+            roi = box.roi
+            if not view.upright:  # the eyes of a box far from upright are too coarse to turn the mesh by
+                roi = roi_around(mesh, TURNED_ROI_MARGIN)
+                mesh = fit_mesh(view.image, roi)
+            found.append(_Found(box.score, roi, mesh, view.image))
     return found
 
 
@@ -96,7 +102,7 @@ def _best_score(found: list[_Found]) -> float:
 
 
 def _detection(found: _Found, picture: NDArray[np.uint8], ratio: NDArray[np.float64]) -> FaceDetection:
-    """Scales a face of the small picture to portrait pixels. Sample i of the models is the pixel whose centre is i + .5."""
+    """Scales a face of the small picture to portrait pixels. The models' sample i is the pixel centred at i + .5."""
     mesh, mesh_wobble = _steadiest_fit(found, picture)
     points = ibug_points(mesh.points)
 
@@ -119,7 +125,7 @@ def _detection(found: _Found, picture: NDArray[np.uint8], ratio: NDArray[np.floa
 
 
 def _steadiest_fit(found: _Found, picture: NDArray[np.uint8]) -> tuple[FaceMesh, float]:
-    """Of the fits in the view and in the plain picture the one that wobbles less: a view helps to find, not always to fit."""
+    """The fit that wobbles less, of the view's and the plain picture's: a view helps to find, not always to fit."""
     fits = [(found.mesh, wobble(found.image, found.mesh))]
     if found.image is not picture:
         mesh = fit_mesh(picture, found.roi)

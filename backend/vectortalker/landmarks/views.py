@@ -1,7 +1,8 @@
 """A picture becomes the views in which a face may be easier to find than in the picture as it is.
 
-The detector was trained on photographs. Hatching, screentone and hard outlines hide a face from its unfiltered sampling; a smoothed
-copy shows it again. Exposure is stretched, faces that fill the frame get a margin, and tilted heads are turned upright.
+The detector was trained on photographs. Hatching, screentone and hard outlines hide a face from unfiltered sampling;
+a smoothed copy shows it again. Exposure is stretched, faces that fill the frame get a margin, and tilted heads are
+turned upright.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """A rotated rectangle of a picture becomes the square input of a model.
 
-The nets were trained behind one sampling rule; half a pixel of shift or a smoothing filter costs .7-.9 % of the eye distance.
-Output pixel i reads the rectangle at i / size (no half-pixel shift, no antialiasing), bilinearly, at positions rounded to
-1/32 px, and the result is rounded to 8 bits.
+The nets were trained behind one sampling rule; half a pixel of shift or a smoothing filter costs .7-.9 % of the eye
+distance. Output pixel i reads the rectangle at i / size (no half-pixel shift, no antialiasing), bilinearly, at places
+rounded to 1/32 px, and the result is rounded to 8 bits.
 """
 
 from __future__ import annotations
