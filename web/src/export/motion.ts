@@ -23,7 +23,7 @@ export function frameCount({ track }: Performance, fps: number): number {
 }
 
 /** The track with the standing pose added to every frame, for the server, which knows tracks only. */
-export function bakedTrack({ pose, track }: Performance): Track {
+export function bakedTrack({ pose, track }: Pick<Performance, 'pose' | 'track'>): Track {
   if (isAtRest(pose)) return track;
   const count = Math.max(1, Math.round(track.duration * track.fps));
   const poses = Array.from({ length: count }, (_, frame) => mixed(pose, poseAt(track, frame / track.fps)));
