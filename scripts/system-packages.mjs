@@ -3,7 +3,10 @@ import { existsSync } from 'node:fs';
 import { output, run } from './run.mjs';
 
 /** Command to look for, Debian package that brings it, and what cannot run without it. */
-export const OPTIONAL = [{ command: 'chromium', package: 'chromium', needed: 'browser tests' }];
+export const OPTIONAL = [
+  { command: 'chromium', package: 'chromium', needed: 'browser tests' },
+  { command: 'espeak-ng', package: 'espeak-ng', needed: 'transcripts of speech and their tests' },
+];
 
 const isPresent = ({ command }) => output('sh', ['-c', `command -v ${command}`]) !== null;
 const isRootOnDebian = () => process.getuid?.() === 0 && existsSync('/etc/debian_version');

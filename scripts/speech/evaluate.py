@@ -1,8 +1,8 @@
 """Scores speech to track on clips whose phones are known, never trained on, beside pocketsphinx's all-phone recogniser.
 
-    python scripts/speech/evaluate.py CORPUS_FOLDER [--baseline] [--transcripts] [--card speech.json]
+    python scripts/speech/evaluate.py CORPUS_FOLDER [--by network transcript pocketsphinx] [--card speech.json]
 
-`--baseline` needs pocketsphinx 5 to be installed; `--transcripts` espeak-ng. `--card` adds the figures to the card.
+`transcript` needs espeak-ng, `pocketsphinx` needs pocketsphinx 5. `--card` adds the figures to the network's card.
 """
 
 from __future__ import annotations
@@ -209,29 +209,35 @@ def quiet_scores(seed: int) -> dict[str, float]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("corpus", type=Path)
-    parser.add_argument("--baseline", action="store_true")
-    parser.add_argument("--transcripts", action="store_true")
+    parser.add_argument("--by", nargs="+", choices=RECOGNISERS, default=["network"])
+    parser.add_argument("--parts", nargs="+", choices=PARTS, default=list(PARTS))
     parser.add_argument("--card", type=Path)
     options = parser.parse_args()
-    recognisers: dict[str, tuple[Callable[[Clip], list[Block]], bool]] = {"network": (by_network, False)}
-    if options.transcripts:
-        recognisers["transcript"] = (by_transcript, False)
-    if options.baseline:
-        recognisers["pocketsphinx"] = (by_pocketsphinx(), True)
-    figures: dict[str, dict] = {"closed_without_speech": quiet_scores(seed=7)}
-    print(figures)
-    for part in PARTS:
+    figures: dict[str, dict] = {}
+    if "network" in options.by:
+        figures["closed_without_speech"] = quiet_scores(seed=7)
+        print(figures, flush=True)
+    for part in options.parts:
         clips = clips_of(options.corpus / f"{part}.npz")
         for maker in sorted({clip.voice.split()[0] for clip in clips}):
             chosen = [clip for clip in clips if clip.voice.split()[0] == maker]
-            for name, (recognise, is_lenient) in recognisers.items():
-                scores = asdict(score(chosen, recognise, is_lenient))
+            for name in options.by:
+                scores = asdict(score(chosen, RECOGNISERS[name](), is_lenient=name == "pocketsphinx"))
                 figures.setdefault(f"{part}/{maker}", {})[name] = scores
-                print(f"{part}/{maker} {name}: {scores}", flush=True)
+                print(f"{part}/{maker} {name}: {json.dumps(scores)}", flush=True)
     if options.card:
-        card = json.loads(options.card.read_text(encoding="utf-8")) | {"held_out": figures}
-        options.card.write_text(json.dumps(card, indent=2) + "\n", encoding="utf-8")
+        card = json.loads(options.card.read_text(encoding="utf-8"))
+        held_out = card.get("held_out", {})
+        for key, scores in figures.items():
+            held_out[key] = held_out.get(key, {}) | scores
+        options.card.write_text(json.dumps(card | {"held_out": held_out}, indent=2) + "\n", encoding="utf-8")
 
+
+RECOGNISERS: dict[str, Callable[[], Callable[[Clip], list[Block]]]] = {
+    "network": lambda: by_network,
+    "transcript": lambda: by_transcript,
+    "pocketsphinx": by_pocketsphinx,
+}
 
 if __name__ == "__main__":
     main()

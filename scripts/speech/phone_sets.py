@@ -23,7 +23,7 @@ CZECH = {
     "h": "ɦ", "c": "ts", "c~": "tʃ", "d~": "ɟ", "t~": "c", "n~": "ɲ", "r~": "r", "s~": "ʃ", "z~": "ʒ", "N": "ŋ",
     "dz": "dz", "dz~": "dʒ", "ou": "oʊ", "au": "aʊ", "eu": "eʊ", "ch": "x", "@": "ə",
 }  # fmt: skip
-SILENCES = {"pau", "#", "##", "_", "h#", "sil", "SIL", "ssil", "brth", "+SPN+", "+NSN+"}
+SILENCES = {"pau", "#", "##", "_", "h#", "sil", "SIL", "ssil", "brth", "+spn+", "+nsn+"}
 
 
 def ipa(phone: str, table: dict[str, str]) -> str:

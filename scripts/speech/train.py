@@ -1,6 +1,8 @@
 """Trains the network on a corpus and writes it as ONNX, with its card.
 
-python scripts/speech/train.py CORPUS_FOLDER [--seed 0] [--epochs 20] [--threads 1] [--out FOLDER]
+python scripts/speech/train.py CORPUS_FOLDER [--seed 0] [--epochs 20] [--start speech.pt] [--threads 1] [--out FOLDER]
+
+The weights are also kept in the corpus folder as `speech.pt`, to go on from.
 """
 
 from __future__ import annotations
@@ -98,13 +100,11 @@ def loss_of(network: SpeechNetwork, frames: Tensor, classes: Tensor, articulator
     return crossed + ARTICULATOR_WEIGHT * ((curves - articulators) ** 2 * channels).mean()
 
 
-def train(clips: list[Clip], seed: int, n_epochs: int) -> SpeechNetwork:
-    torch.manual_seed(seed)
+def train(network: SpeechNetwork, clips: list[Clip], seed: int, n_epochs: int, peak_rate: float) -> None:
     generator = np.random.default_rng(seed)
-    network = SpeechNetwork()
-    optimiser = torch.optim.AdamW(network.parameters(), PEAK_RATE, weight_decay=1e-2)
+    optimiser = torch.optim.AdamW(network.parameters(), peak_rate, weight_decay=1e-2)
     n_steps = sum(len(clip.classes) for clip in clips) // (CROP * BATCH)
-    schedule = torch.optim.lr_scheduler.OneCycleLR(optimiser, PEAK_RATE, total_steps=n_epochs * n_steps, pct_start=0.15)
+    schedule = torch.optim.lr_scheduler.OneCycleLR(optimiser, peak_rate, total_steps=n_epochs * n_steps, pct_start=0.15)
     lengths = np.array([len(clip.classes) for clip in clips], float)
     started = time.monotonic()
     for epoch in range(n_epochs):
@@ -124,7 +124,7 @@ def train(clips: list[Clip], seed: int, n_epochs: int) -> SpeechNetwork:
             f"epoch {epoch + 1}/{n_epochs}: loss {total / n_steps:.4f}, {time.monotonic() - started:.0f} s",
             flush=True,
         )
-    return network.eval()
+    network.eval()
 
 
 def export(network: SpeechNetwork, path: Path) -> None:
@@ -150,18 +150,27 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--epochs", type=int, default=20)
     parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--start", type=Path, help="weights to go on from: speech.pt of an earlier run")
+    parser.add_argument("--rate", type=float, default=PEAK_RATE, help="peak learning rate (default: %(default)s)")
     parser.add_argument("--out", type=Path, default=MODEL_FOLDER)
     options = parser.parse_args()
     torch.set_num_threads(options.threads)
     clips = load(options.corpus / "train.npz")
     cpu_before = time.process_time()
-    network = train(clips, options.seed, options.epochs)
+    torch.manual_seed(options.seed)
+    network = SpeechNetwork()
+    if options.start:
+        network.load_state_dict(torch.load(options.start, weights_only=True))
+    train(network, clips, options.seed, options.epochs, options.rate)
+    torch.save(network.state_dict(), options.corpus / "speech.pt")
     path = options.out / "speech.onnx"
     export(network, path)
     card = {
         "script": "scripts/speech/train.py",
         "seed": options.seed,
         "epochs": options.epochs,
+        "start": options.start.name if options.start else None,
+        "peak_rate": options.rate,
         "parameters": sum(parameter.numel() for parameter in network.parameters()),
         "bytes": path.stat().st_size,
         "cpu_minutes": round((time.process_time() - cpu_before) / 60, 1),

@@ -18,9 +18,7 @@ def write_tone(path: Path, codec: str, rate: int, layout: str, seconds: float) -
     """A sine of amplitude 0.5 in every channel."""
     with av.open(path, "w") as container:
         stream = container.add_stream(codec, rate=rate, layout=layout)
-        wave = 0.5 * np.sin(
-            2 * np.pi * TONE_HERTZ * np.arange(round(seconds * rate)) / rate
-        )
+        wave = 0.5 * np.sin(2 * np.pi * TONE_HERTZ * np.arange(round(seconds * rate)) / rate)
         n_channels = 2 if layout == "stereo" else 1
         samples = np.repeat((wave * 32767).astype(np.int16), n_channels)[None]
         frame = av.AudioFrame.from_ndarray(samples, format="s16", layout=layout)
@@ -48,14 +46,10 @@ def write_tone(path: Path, codec: str, rate: int, layout: str, seconds: float) -
         ("g.webm", "libopus", 48000, "mono"),
     ],
 )
-def test_tone_keeps_its_pitch_and_length(
-    tmp_path: Path, name: str, codec: str, rate: int, layout: str
-) -> None:
+def test_tone_keeps_its_pitch_and_length(tmp_path: Path, name: str, codec: str, rate: int, layout: str) -> None:
     write_tone(tmp_path / name, codec, rate, layout, seconds=1.0)
     samples = np.concatenate(list(mono_chunks(tmp_path / name)))
-    assert len(samples) == pytest.approx(
-        RATE, abs=0.1 * RATE
-    )  # lossy codecs pad by a frame or two
+    assert len(samples) == pytest.approx(RATE, abs=0.1 * RATE)  # lossy codecs pad by a frame or two
     middle = samples[RATE // 4 : RATE // 4 + RATE // 2]  # half a second: bins of 2 Hz
     peak = np.abs(np.fft.rfft(middle * np.hanning(len(middle)))).argmax() * 2
     assert peak == pytest.approx(TONE_HERTZ, abs=4)
@@ -78,18 +72,14 @@ def test_picture_without_sound_is_refused(tmp_path: Path) -> None:
     with av.open(tmp_path / "mute.mp4", "w") as container:
         stream = container.add_stream("mpeg4", rate=10)
         stream.width, stream.height, stream.pix_fmt = 16, 16, "yuv420p"
-        picture = av.VideoFrame.from_ndarray(
-            np.zeros((16, 16, 3), np.uint8), format="rgb24"
-        )
+        picture = av.VideoFrame.from_ndarray(np.zeros((16, 16, 3), np.uint8), format="rgb24")
         container.mux(stream.encode(picture))
         container.mux(stream.encode(None))
     with pytest.raises(VectorTalkerError, match="no sound"):
         list(mono_chunks(tmp_path / "mute.mp4"))
 
 
-def test_too_long_is_refused_before_all_is_read(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_too_long_is_refused_before_all_is_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     write_tone(tmp_path / "long.wav", "pcm_s16le", 8000, "mono", seconds=130)
     monkeypatch.setattr(audio, "MAX_SECONDS", 60)
     taken = []

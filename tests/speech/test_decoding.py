@@ -41,9 +41,7 @@ def slow_best_score(scores: np.ndarray) -> float:
     for path in product(range(LIVE), repeat=len(scores)):
         cuts = np.flatnonzero(np.diff(path)) + 1
         if min(np.diff([0, *cuts, len(path)])) >= LEAST_FRAMES:
-            best = max(
-                best, scores[np.arange(len(path)), path].sum() - SWITCH_COST * len(cuts)
-            )
+            best = max(best, scores[np.arange(len(path)), path].sum() - SWITCH_COST * len(cuts))
     return best
 
 
@@ -78,9 +76,7 @@ def test_single_frame_is_one_block() -> None:
 
 
 def test_alignment_finds_where_each_sound_is() -> None:
-    spoken = (
-        ["sil"] * 10 + ["PP"] * 5 + ["aa"] * 12 + ["nn"] * 6 + ["sil"] * 8 + ["I"] * 9
-    )
+    spoken = ["sil"] * 10 + ["PP"] * 5 + ["aa"] * 12 + ["nn"] * 6 + ["sil"] * 8 + ["I"] * 9
     blocks = align(sure_of(spoken, 0.6), [["PP", "aa", "nn"], ["I"]])
     assert [block.viseme for block in blocks] == ["sil", "PP", "aa", "nn", "sil", "I"]
     assert [round(block.start * FPS + 0.5) for block in blocks][1:] == [

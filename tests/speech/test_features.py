@@ -19,9 +19,7 @@ from vectortalker.speech.features import (
 
 
 def tone(hertz: float, seconds: float, amplitude: float = 1.0) -> np.ndarray:
-    return (
-        amplitude * np.sin(2 * np.pi * hertz * np.arange(round(seconds * RATE)) / RATE)
-    ).astype(np.float32)
+    return (amplitude * np.sin(2 * np.pi * hertz * np.arange(round(seconds * RATE)) / RATE)).astype(np.float32)
 
 
 @pytest.mark.parametrize("hertz", [200.0, 1000.0, 5000.0])
@@ -41,15 +39,9 @@ def test_silence_is_the_floor() -> None:
 
 
 @settings(max_examples=20, deadline=None)
-@given(
-    st.lists(st.integers(1, 90_000), min_size=1, max_size=5), st.integers(0, 2**32 - 1)
-)
-def test_frames_do_not_depend_on_how_samples_are_cut(
-    lengths: list[int], seed: int
-) -> None:
-    samples = (
-        np.random.default_rng(seed).standard_normal(sum(lengths)).astype(np.float32)
-    )
+@given(st.lists(st.integers(1, 90_000), min_size=1, max_size=5), st.integers(0, 2**32 - 1))
+def test_frames_do_not_depend_on_how_samples_are_cut(lengths: list[int], seed: int) -> None:
+    samples = np.random.default_rng(seed).standard_normal(sum(lengths)).astype(np.float32)
     pieces = np.split(samples, np.cumsum(lengths)[:-1])
     whole = log_mels([samples])
     assert whole.shape == (len(samples) // HOP, N_MELS)
@@ -71,9 +63,7 @@ def test_near_silence_is_not_raised_to_the_level_of_a_voice() -> None:
     generator = np.random.default_rng(0)
     hiss = (1e-4 * generator.standard_normal(2 * RATE)).astype(np.float32)
     voice = (0.2 * generator.standard_normal(2 * RATE)).astype(np.float32)
-    assert (
-        normalised(log_mels([hiss])).mean() < normalised(log_mels([voice])).mean() - 3
-    )
+    assert normalised(log_mels([hiss])).mean() < normalised(log_mels([voice])).mean() - 3
 
 
 def test_no_samples_make_no_frames() -> None:

@@ -9,16 +9,12 @@ from vectortalker.speech.motion import BLINK_INTERVAL, motion
 
 SECONDS = 60
 N_FRAMES = round(SECONDS * FPS)
-SYLLABLES = 3.0 * np.sin(
-    2 * np.pi * 4 * np.arange(N_FRAMES) / FPS
-)  # loudness of four a second
+SYLLABLES = 3.0 * np.sin(2 * np.pi * 4 * np.arange(N_FRAMES) / FPS)  # loudness of four a second
 SPEAKING = np.zeros(N_FRAMES, bool)
 
 
 def test_same_seed_same_motion_and_another_seed_another() -> None:
-    first, again, other = (
-        motion(SYLLABLES, SPEAKING, seed)["yaw"] for seed in (1, 1, 2)
-    )
+    first, again, other = (motion(SYLLABLES, SPEAKING, seed)["yaw"] for seed in (1, 1, 2))
     np.testing.assert_array_equal(first, again)
     assert np.abs(first - other).max() > 1
 
@@ -27,9 +23,7 @@ def test_blinks_close_fully_and_come_as_often_as_people_blink() -> None:
     blink = motion(SYLLABLES, SPEAKING, seed=3)["blink_left"]
     shut = blink > 0.99
     n_blinks = int((shut[1:] & ~shut[:-1]).sum())
-    assert (
-        SECONDS / BLINK_INTERVAL[1] - 1 <= n_blinks <= SECONDS / BLINK_INTERVAL[0] + 1
-    )
+    assert SECONDS / BLINK_INTERVAL[1] - 1 <= n_blinks <= SECONDS / BLINK_INTERVAL[0] + 1
     assert blink.min() == 0
 
 
@@ -47,9 +41,7 @@ def test_silence_neither_nods_nor_raises_brows() -> None:
 
 
 def test_loud_syllables_nod() -> None:
-    spoken, still = (
-        motion(SYLLABLES, silent, seed=0)["pitch"] for silent in (SPEAKING, ~SPEAKING)
-    )
+    spoken, still = (motion(SYLLABLES, silent, seed=0)["pitch"] for silent in (SPEAKING, ~SPEAKING))
     assert np.corrcoef(spoken - still, SYLLABLES)[0, 1] > 0.7
 
 

@@ -35,10 +35,7 @@ BLOCKS = st.lists(
 def in_a_row(*sounds: tuple[str, float]) -> list[Block]:
     """Blocks of (viseme, seconds), one after the other from 0."""
     ends = np.cumsum([seconds for _, seconds in sounds])
-    return [
-        Block(float(end - seconds), seconds, name)
-        for (name, seconds), end in zip(sounds, ends, strict=True)
-    ]
+    return [Block(float(end - seconds), seconds, name) for (name, seconds), end in zip(sounds, ends, strict=True)]
 
 
 def frame_at(seconds: float) -> int:
@@ -73,9 +70,7 @@ def test_diphthong_gives_six_tenths_to_its_first_half() -> None:
 
 
 def test_equal_neighbours_are_one_block_and_diacritics_prolong() -> None:
-    blocks = blocks_of_phones(
-        [(0.0, 0.1, "t"), (0.1, 0.2, "d"), (0.2, 0.3, "ʲ"), (0.3, 0.4, "")]
-    )
+    blocks = blocks_of_phones([(0.0, 0.1, "t"), (0.1, 0.2, "d"), (0.2, 0.3, "ʲ"), (0.3, 0.4, "")])
     assert [(block.viseme, round(block.duration, 6)) for block in blocks] == [
         ("DD", 0.3),
         ("sil", 0.1),
@@ -93,19 +88,13 @@ def test_no_blocks_leave_the_mouth_at_rest() -> None:
 
 def test_long_vowel_reaches_its_target() -> None:
     curves = articulate(in_a_row(("sil", 0.5), ("aa", 0.6), ("sil", 0.5)), 80, Blend())
-    assert curves[frame_at(0.8)] == pytest.approx(
-        TARGETS[VISEMES.index("aa")], abs=0.05
-    )
+    assert curves[frame_at(0.8)] == pytest.approx(TARGETS[VISEMES.index("aa")], abs=0.05)
 
 
 @pytest.mark.parametrize("consonant", ["DD", "kk", "nn"])
 def test_short_consonant_takes_the_colour_of_its_vowels(consonant: str) -> None:
-    rounded = articulate(
-        in_a_row(("U", 0.3), (consonant, 0.06), ("U", 0.3)), 33, Blend()
-    )
-    spread = articulate(
-        in_a_row(("I", 0.3), (consonant, 0.06), ("I", 0.3)), 33, Blend()
-    )
+    rounded = articulate(in_a_row(("U", 0.3), (consonant, 0.06), ("U", 0.3)), 33, Blend())
+    spread = articulate(in_a_row(("I", 0.3), (consonant, 0.06), ("I", 0.3)), 33, Blend())
     assert rounded[frame_at(0.33), ROUND] > 0.3 > spread[frame_at(0.33), ROUND]
 
 
@@ -117,12 +106,8 @@ def test_rounding_comes_before_the_rounded_sound() -> None:
 @pytest.mark.parametrize("seconds", [0.03, 0.06, 0.12])
 @pytest.mark.parametrize("vowel", ["aa", "E", "O"])
 def test_lips_are_fully_pressed_at_every_p_b_m(vowel: str, seconds: float) -> None:
-    curves = articulate(
-        in_a_row((vowel, 0.3), ("PP", seconds), (vowel, 0.3)), 33, Blend()
-    )
-    assert curves[
-        frame_at(0.3 - CLOSURE_LEAD) : frame_at(0.3) + 1, PRESS
-    ].max() == pytest.approx(1, abs=0.02)
+    curves = articulate(in_a_row((vowel, 0.3), ("PP", seconds), (vowel, 0.3)), 33, Blend())
+    assert curves[frame_at(0.3 - CLOSURE_LEAD) : frame_at(0.3) + 1, PRESS].max() == pytest.approx(1, abs=0.02)
     assert curves[frame_at(0.1), PRESS] < 0.05
 
 
@@ -134,9 +119,7 @@ def test_lower_lip_meets_the_teeth_at_f_and_v() -> None:
 
 
 def test_mouth_opens_faster_than_it_closes() -> None:
-    jaw = articulate(in_a_row(("sil", 0.5), ("aa", 0.3), ("sil", 0.7)), 75, Blend())[
-        :, JAW
-    ]
+    jaw = articulate(in_a_row(("sil", 0.5), ("aa", 0.3), ("sil", 0.7)), 75, Blend())[:, JAW]
     half = jaw.max() / 2
     above = np.flatnonzero(jaw > half)
     assert 0.5 - above[0] / FPS < above[-1] / FPS - 0.8 + 0.1
@@ -147,10 +130,7 @@ def test_curves_stay_within_their_targets(
     sounds: list[tuple[str, float, float]],
 ) -> None:
     starts = np.cumsum([0.0, *(duration for _, duration, _ in sounds)])
-    blocks = [
-        Block(start, d, name, weight)
-        for start, (name, d, weight) in zip(starts[:-1], sounds, strict=True)
-    ]
+    blocks = [Block(start, d, name, weight) for start, (name, d, weight) in zip(starts[:-1], sounds, strict=True)]
     curves = articulate(blocks, frame_at(float(starts[-1])) + 1, Blend())
     assert np.isfinite(curves).all()
     assert (curves >= TARGETS.min(axis=0) - 1e-9).all()
