@@ -155,7 +155,7 @@ export class Rig {
   }
 
   /** All paths that differ from rest; `axes` are the gradient ends of every path at rest, four numbers each. */
-  movedPoints(vertices: Float64Array, axes = new Float64Array(4 * this.pathCount)): readonly FramePoints[] {
+  movedPoints(vertices: Float64Array, axes: Float64Array = new Float64Array(4 * this.pathCount)): readonly FramePoints[] {
     const frame = this.#core.frame(vertices, this.restVertices);
     const { changed, starts, points } = frame;
     frame.free();
