@@ -13,6 +13,8 @@ type Vectors = {
 const TOLERANCE = 1e-6; // px; the numbers are written to 1e-9
 const REST: Pose = { articulators: {} };
 const vectors: Vectors = JSON.parse(readFileSync(new URL('../../../tests/vectors/rig/face.json', import.meta.url), 'utf8'));
+const N_PATHS = vectors.scene.back.length + vectors.scene.fore.length + vectors.scene.local.length;
+const SOLID = new Float64Array(4 * N_PATHS); // no path has a gradient
 
 beforeAll(() => loadRigModule(readFileSync(new URL('./wasm/vectortalker_browser_bg.wasm', import.meta.url))));
 
@@ -29,7 +31,7 @@ describe('the vectors that Python and Rust give', () => {
     const { vertices, limit } = rig.vertices(expected.pose);
     expect(limit.scale).toBeCloseTo(expected.scale, 12);
     expectNear(vertices, expected.vertices);
-    const moved = rig.movedPoints(vertices);
+    const moved = rig.movedPoints(vertices, SOLID);
     expect(moved.map(({ path }) => String(path))).toEqual(Object.keys(expected.changed));
     for (const { path, points } of moved) expectNear(points, expected.changed[path]);
   });
@@ -40,20 +42,20 @@ describe('the vectors that Python and Rust give', () => {
 test('a frame lists what differs from the frame before', () => {
   const rig = buildRig(vectors.scene, vectors.landmarks);
   const open = rig.vertices({ articulators: { jaw: 1 } }).vertices;
-  const opened = rig.frame(open);
+  const opened = rig.frame(open, SOLID);
   expect(opened.changed.length).toBeGreaterThan(0);
-  expect(rig.frame(open).changed).toEqual([]);
-  expect(rig.frame(rig.restVertices).changed).toEqual(opened.changed);
+  expect(rig.frame(open, SOLID).changed).toEqual([]);
+  expect(rig.frame(rig.restVertices, SOLID).changed).toEqual(opened.changed);
 });
 
 test('path data of paths that never move is the scene’s own, and returns to it with the rest', () => {
   const rig = buildRig(vectors.scene, vectors.landmarks);
-  const before = Array.from({ length: rig.pathCount }, (_, path) => rig.frame(rig.restVertices).d(path));
-  const frame = rig.frame(rig.vertices({ articulators: { jaw: 1, yaw: 10 } }).vertices);
+  const before = Array.from({ length: rig.pathCount }, (_, path) => rig.frame(rig.restVertices, SOLID).d(path));
+  const frame = rig.frame(rig.vertices({ articulators: { jaw: 1, yaw: 10 } }).vertices, SOLID);
   expect(frame.d(0)).toBe(before[0]);
   expect(frame.d(1)).not.toBe(before[1]);
   expect(frame.d(1).replace(/[-\d. ]+/g, '')).toBe(before[1].replace(/[-\d. ]+/g, ''));
-  const rest = rig.frame(rig.vertices(REST).vertices);
+  const rest = rig.frame(rig.vertices(REST).vertices, SOLID);
   expect(before.map((_, path) => rest.d(path))).toEqual(before);
 });
 

@@ -98,15 +98,13 @@ impl VertexSet {
         self.settle_depth();
     }
 
-    /// Gives the anchors of local parts the depth of the openings they show through, and one depth to contours that
-    /// coincide, so that a closed opening stays closed when the head turns.
+    /// Gives the anchors of local parts the depth of the openings they show through, and one depth to the two points of a
+    /// contour that meet, so that what is closed stays closed when the head turns.
     pub fn settle_depth(&mut self) {
         for opening in Opening::ALL {
             for (upper, lower) in opening.pairs() {
-                if self.rest[upper] == self.rest[lower] {
-                    let middle = self.depth[upper].midpoint(self.depth[lower]);
-                    (self.depth[upper], self.depth[lower]) = (middle, middle);
-                }
+                let middle = self.depth[upper].midpoint(self.depth[lower]);
+                (self.depth[upper], self.depth[lower]) = (middle, middle);
             }
             let ring = opening.ring();
             let mean = ring.iter().map(|&landmark| self.depth[landmark]).sum::<f64>() / ring.len() as f64;
