@@ -48,11 +48,19 @@ export async function drag(page: Page, from: Point, to: Point): Promise<void> {
 
 /** The bare picture, without points, options and messages. */
 export async function pictureShot(page: Page): Promise<Buffer> {
+  await showAbovePicture(page, 'hidden');
   await settled(page);
-  return stage(page).screenshot({
-    style: '.overlay, .stage-options, .hint, .stage-messages { visibility: hidden !important }',
-    animations: 'disabled',
-  });
+  const shot = await stage(page).screenshot({ animations: 'disabled' });
+  await showAbovePicture(page, '');
+  return shot;
+}
+
+/** By the style object: the page's policy forbids style sheets from elsewhere. */
+function showAbovePicture(page: Page, visibility: 'hidden' | ''): Promise<void> {
+  return page.evaluate((value) => {
+    for (const element of document.querySelectorAll<HTMLElement>('.overlay, .stage-options, .hint, .stage-messages'))
+      element.style.visibility = value;
+  }, visibility);
 }
 
 /** Two frames later: what was asked for is painted. */
