@@ -21,7 +21,7 @@ REFUSED = {
     "clip": ({"clip": np.array([0, -1], np.int32)}, "mask 0; there are 0"),
     "masks": ({"clips": np.zeros((1, 3, 3), np.float32)}, r"\[1, 3, 3\]"),
     "canvas": ({"canvas": np.zeros(4, np.float32)}, r"\[4\]"),
-    "width": ({"width": 0}, "width is 0; the limits are 1 to 8192"),
+    "width": ({"width": 0}, "width is 0; the limits are 1 to 4096"),
     "height": ({"height": 9000}, "height is 9000"),
     "subrows": ({"subrows": 3}, "is 3"),
     "order": (

@@ -1,8 +1,11 @@
 //! Python face of the `raster` crate.
 
-use numpy::{Element, PyArrayMethods, PyUntypedArrayMethods};
+mod arrays;
+
+use arrays::{Flags, Scene, array, flat, refused, shape};
 use numpy::{
-    IntoPyArray, PyArray, PyArray1, PyArray3, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3,
+    IntoPyArray, Ix2, PyArray, PyArray1, PyArray3, PyReadonlyArray1, PyReadonlyArray2,
+    PyReadonlyArray3,
 };
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -14,68 +17,6 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(gradients, module)?)?;
     module.add_function(wrap_pyfunction!(coverage, module)?)?;
     module.add_function(wrap_pyfunction!(overlap, module)?)
-}
-
-/// Arrays of a call as Python gives them.
-struct Scene<'py> {
-    points: PyReadonlyArray3<'py, f32>,
-    stops: PyReadonlyArray3<'py, f32>,
-    axis: PyReadonlyArray2<'py, f32>,
-    gradient: Vec<bool>,
-    clip: PyReadonlyArray1<'py, i32>,
-    clips: PyReadonlyArray3<'py, f32>,
-    canvas: PyReadonlyArray1<'py, f32>,
-    width: usize,
-    height: usize,
-    subrows: usize,
-    quantise: bool,
-}
-
-impl Scene<'_> {
-    fn paths(&self) -> PyResult<Paths<'_>> {
-        let [n, controls, _] = shape("points", &self.points, [None, None, Some(2)])?;
-        if controls == 0 || controls % 3 != 0 {
-            return Err(PyValueError::new_err(format!(
-                "points has {controls} control points a path; the count must be a positive multiple of 3."
-            )));
-        }
-        shape("stops", &self.stops, [Some(n), Some(2), Some(4)])?;
-        shape("axis", &self.axis, [Some(n), Some(4)])?;
-        shape("clip", &self.clip, [Some(n)])?;
-        if self.gradient.len() != n {
-            return Err(PyValueError::new_err(format!(
-                "gradient has {} values; expected {n}.",
-                self.gradient.len()
-            )));
-        }
-        Ok(Paths {
-            segments: controls / 3,
-            points: flat("points", &self.points)?,
-            stops: flat("stops", &self.stops)?,
-            axis: flat("axis", &self.axis)?,
-            gradient: &self.gradient,
-            clip: flat("clip", &self.clip)?,
-        })
-    }
-
-    fn frame(&self) -> PyResult<Frame<'_>> {
-        let (width, height) = (self.width, self.height);
-        let [masks, ..] = shape("clips", &self.clips, [None, None, None])?;
-        if masks > 0 {
-            shape("clips", &self.clips, [None, Some(height), Some(width)])?;
-        }
-        shape("canvas", &self.canvas, [Some(3)])?;
-        let c = flat("canvas", &self.canvas)?;
-        let clips = flat("clips", &self.clips)?;
-        Ok(Frame {
-            width,
-            height,
-            canvas: [c[0], c[1], c[2]],
-            clips,
-            subrows: self.subrows,
-            quantise: self.quantise,
-        })
-    }
 }
 
 /// Paint paths over a canvas: f32 `[H, W, 3]`.
@@ -128,7 +69,7 @@ type GradientArrays<'py> = (
     Bound<'py, PyArray3<f32>>,
     Bound<'py, PyArray3<f32>>,
     Bound<'py, PyArray3<f32>>,
-    Bound<'py, PyArray<f32, numpy::Ix2>>,
+    Bound<'py, PyArray<f32, Ix2>>,
     Option<Bound<'py, PyArray1<f64>>>,
 );
 
@@ -237,7 +178,7 @@ fn coverage<'py>(
     points: PyReadonlyArray2<'py, f32>,
     width: usize,
     height: usize,
-) -> PyResult<Bound<'py, PyArray<f32, numpy::Ix2>>> {
+) -> PyResult<Bound<'py, PyArray<f32, Ix2>>> {
     shape("points", &points, [None, Some(2)])?;
     let ring = flat("points", &points)?;
     let mask = py
@@ -255,7 +196,7 @@ fn overlap<'py>(
     width: usize,
     height: usize,
     threads: usize,
-) -> PyResult<Bound<'py, PyArray<f64, numpy::Ix2>>> {
+) -> PyResult<Bound<'py, PyArray<f64, Ix2>>> {
     let [n, controls, _] = shape("points", &points, [None, None, Some(2)])?;
     let ring = flat("points", &points)?;
     let (stops, axis, gradient, clip) = (
@@ -290,22 +231,6 @@ fn overlap<'py>(
     array(py, areas, [n, 3])
 }
 
-/// A boolean array, or bytes of which any but zero is true.
-#[derive(FromPyObject)]
-enum Flags<'py> {
-    Booleans(PyReadonlyArray1<'py, bool>),
-    Bytes(PyReadonlyArray1<'py, u8>),
-}
-
-impl Flags<'_> {
-    fn values(&self) -> Vec<bool> {
-        match self {
-            Self::Booleans(flags) => flags.as_array().iter().copied().collect(),
-            Self::Bytes(flags) => flags.as_array().iter().map(|&byte| byte != 0).collect(),
-        }
-    }
-}
-
 fn arrays<'py>(
     py: Python<'py>,
     found: Gradients,
@@ -322,54 +247,4 @@ fn arrays<'py>(
         array(py, found.axis, [n, 4])?,
         importance.then(|| found.importance.into_pyarray(py)),
     ))
-}
-
-fn array<'py, T: Element, D: numpy::ndarray::Dimension, const N: usize>(
-    py: Python<'py>,
-    values: Vec<T>,
-    shape: [usize; N],
-) -> PyResult<Bound<'py, PyArray<T, D>>>
-where
-    [usize; N]: numpy::ndarray::IntoDimension<Dim = D>,
-{
-    values.into_pyarray(py).reshape(shape)
-}
-
-fn flat<'a, T: Element, D: numpy::ndarray::Dimension>(
-    name: &str,
-    array: &'a numpy::PyReadonlyArray<'_, T, D>,
-) -> PyResult<&'a [T]> {
-    array.as_slice().map_err(|_| {
-        PyValueError::new_err(format!(
-            "{name} is not C-contiguous; pass numpy.ascontiguousarray of it."
-        ))
-    })
-}
-
-fn shape<T: Element, D: numpy::ndarray::Dimension, const N: usize>(
-    name: &str,
-    array: &numpy::PyReadonlyArray<'_, T, D>,
-    expected: [Option<usize>; N],
-) -> PyResult<[usize; N]> {
-    let got = array.shape();
-    let fits = got.len() == N
-        && got
-            .iter()
-            .zip(expected)
-            .all(|(g, e)| e.is_none_or(|e| *g == e));
-    match <[usize; N]>::try_from(got) {
-        Ok(sizes) if fits => Ok(sizes),
-        _ => {
-            let wanted = expected
-                .map(|e| e.map_or("any".to_owned(), |e| e.to_string()))
-                .join(", ");
-            Err(PyValueError::new_err(format!(
-                "{name} has shape {got:?}; expected [{wanted}]."
-            )))
-        }
-    }
-}
-
-fn refused(error: raster::Error) -> PyErr {
-    PyValueError::new_err(error.to_string())
 }

@@ -2,10 +2,10 @@
 
 use crate::error::Error;
 
-/// Longest side of a frame; an f32 coordinate is still exact to 1/2048 px there.
-pub const MAX_SIDE: usize = 8192;
-/// Most paths of a call; a tile names its path by a `u32` and a scene of the wire holds at most 4,000.
-pub const MAX_PATHS: usize = 1 << 20;
+/// Longest side of a frame, as of a portrait; an f32 coordinate is still exact to 1/4096 px there.
+pub const MAX_SIDE: usize = 4096;
+/// Most paths of a call: twice what a scene may hold. All cells of a band of so many full-width tiles have `u32` indices.
+pub const MAX_PATHS: usize = 8192;
 /// Most cubic segments of a path.
 pub const MAX_SEGMENTS: usize = 1024;
 /// Farthest control point, in pixels from the origin.

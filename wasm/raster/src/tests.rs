@@ -151,5 +151,5 @@ fn refusals_name_value_and_limit() {
     let refused = rasterize(&solid.paths(), &frame(0, 8, 1), 1)
         .unwrap_err()
         .to_string();
-    assert_eq!(refused, "width is 0; the limits are 1 to 8192.");
+    assert_eq!(refused, "width is 0; the limits are 1 to 4096.");
 }

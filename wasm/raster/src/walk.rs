@@ -49,11 +49,10 @@ impl Grid<'_> {
             (0..=across.crossings + down.crossings)
                 .rev()
                 .map(|remaining| {
-                    let next = across.next.min(down.next).min(WHOLE);
                     let end = if remaining == 0 {
                         1.0
                     } else {
-                        next as f32 * (1.0 / WHOLE as f32)
+                        across.next.min(down.next).clamp(start, 1.0)
                     };
                     let (column, row) = (
                         across.cell.clamp(0, right),
@@ -79,20 +78,16 @@ impl Grid<'_> {
     }
 }
 
-/// The end of a piece on the integer scale of crossings: comparing and adding integers is three times as quick as floats,
-/// and every passage waits for the one before.
-const WHOLE: i64 = 1 << 30;
-
 /// Grid lines of one axis that a piece crosses, one after the other.
 struct Axis {
     cell: i32,
     step: i32,
     /// Crossings left at the start.
     crossings: u32,
-    /// Parameter of the next crossing, in units of `1 / WHOLE`.
-    next: i64,
+    /// Parameter of the next crossing.
+    next: f32,
     /// Parameter from one crossing to the next.
-    pitch: i64,
+    pitch: f32,
 }
 
 /// A piece advancing less than this along an axis crosses at most one grid line there, at its very end.
@@ -105,8 +100,8 @@ impl Axis {
                 cell: origin.floor() as i32,
                 step: 0,
                 crossings: 0,
-                next: i64::MAX,
-                pitch: 0,
+                next: f32::INFINITY,
+                pitch: 0.0,
             };
         }
         // Seen along the direction of travel: an origin on a grid line belongs to the cell ahead, an end to the cell behind.
@@ -114,25 +109,24 @@ impl Axis {
         let (from, to) = (sign * origin, sign * (origin + delta));
         let ahead = from.floor();
         let crossings = (to.ceil() - 1.0 - ahead).max(0.0) as u32;
-        let pitch = WHOLE as f32 / delta.abs();
+        let pitch = 1.0 / delta.abs();
         let cell = if delta > 0.0 {
             ahead as i32
         } else {
             -(ahead as i32) - 1
         };
-        let next = ((ahead + 1.0 - from) * pitch) as i64;
         Self {
             cell,
             step: sign as i32,
             crossings,
-            next,
-            pitch: pitch as i64,
+            next: (ahead + 1.0 - from) * pitch,
+            pitch,
         }
     }
 
     /// Branches here would be mispredicted at every other cell.
     fn advance(&mut self, crossed: bool) {
         self.cell += self.step * i32::from(crossed);
-        self.next += if crossed { self.pitch } else { 0 };
+        self.next += if crossed { self.pitch } else { 0.0 };
     }
 }
