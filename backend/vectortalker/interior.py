@@ -52,10 +52,15 @@ TEETH_AND_TONGUE = (
 
 
 def mouth_interior(points: NDArray[np.float64], rgb: NDArray[np.uint8]) -> list[LocalPath]:
-    """Paths in painter's order for landmarks [68, 2] on uint8 [H, W, 3], both in portrait pixels."""
+    """Paths in painter's order for landmarks [68, 2] on uint8 [H, W, 3], both in portrait pixels.
+
+    None for an open mouth without a whole pixel: it has no colour of its own.
+    """
     mouth = next(outline for outline in core.opening_outlines(points) if outline[0] == "mouth")
     if not mouth[2]:
         inside = core.coverage(mouth[1].astype(np.float32), rgb.shape[1], rgb.shape[0]) > 0.5
+        if not inside.any():
+            return []
         return [_cavity(points, INNER_LIP_ANCHORS, OPEN_CAVITY_GROWTH, _dark_quarter(rgb, inside))]
     colours = _mouth_colours(points, rgb)
     cavity = _cavity(points, OUTER_LIP_ANCHORS, 1.0, colours["mouth_cavity"])

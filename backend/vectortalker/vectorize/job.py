@@ -17,7 +17,7 @@ from vectortalker.vectorize.frame import Frame, fit, layer_to_portrait
 from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, TOP
 from vectortalker.vectorize.optimise import Start, Step, optimise
 from vectortalker.vectorize.options import Settings, resolve
-from vectortalker.vectorize.population import Population, empty_population
+from vectortalker.vectorize.population import Population
 from vectortalker.vectorize.progress import Checkpoint, Progress, Result
 from vectortalker.vectorize.resume import checkpoint, restore
 from vectortalker.vectorize.schedule import LevelPlan, plan
@@ -51,7 +51,7 @@ def vectorize(
     plans = plan(settings, (frame.width, frame.height))
     yield Progress("preparing", 0, settings.levels, 0, 0.0)
     targets = prepare(portrait, landmarks, picture, frame, settings, plans)
-    start = restore(resume, settings) if resume else Start(empty_population(settings.segments), 0, 0)
+    start = restore(resume, settings) if resume else Start(targets.first_paths, 0, 0)
     run = optimise(targets.level, plans, settings, start, threads, finish_early)
     while True:
         try:
@@ -64,7 +64,7 @@ def vectorize(
     svg = to_svg(scene, targets.openings, portrait.name, (frame.width, frame.height))
     yield Progress("measuring", last.level_index + 1, settings.levels, len(last.population), WRITTEN, scene)
     elapsed = time.perf_counter() - clock, time.process_time() - cpu_clock
-    return Result(scene, svg, _measure(scene, svg, picture, settings, last.iteration, elapsed))
+    return Result(scene, svg, _measure(scene, svg, picture, last.iteration, elapsed))
 
 
 def compose(
@@ -102,7 +102,6 @@ def _measure(
     scene: Scene,
     svg: str,
     picture: NDArray[np.uint8],
-    settings: Settings,
     iterations: int,
     elapsed: tuple[float, float],
 ) -> Metrics:
@@ -112,7 +111,7 @@ def _measure(
     paths = [*scene.back, *scene.fore, *scene.local]
     return Metrics(
         paths=len(paths),
-        segments=len(paths) * settings.segments,
+        segments=sum(len(path.points) // 6 for path in paths),
         parameters=sum(len(path.points) + FILL_PARAMETERS[path.fill.kind] for path in paths),
         iterations=iterations,
         seconds=elapsed[0],

@@ -64,7 +64,7 @@ def optimise(
         generator = np.random.default_rng((settings.seed, index))
         if index:
             rescale(population, plans[index - 1].frame, level_plan.frame)
-        missing = level_plan.paths - len(population)
+        missing = max(0, level_plan.paths - len(population))
         population = seed(
             population, level, missing, level_plan.radius, ingredients, settings.fills == "gradient", generator
         )

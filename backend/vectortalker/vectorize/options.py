@@ -40,7 +40,7 @@ class _Defaults:
 
 BEST: dict[Preset, _Defaults] = {
     "draft": _Defaults(paths=250, levels=3, iterations=60, final_iterations=100, working_size=512),
-    "standard": _Defaults(paths=500, levels=5, iterations=250, final_iterations=1400, working_size=512),
+    "standard": _Defaults(paths=500, levels=5, iterations=200, final_iterations=1200, working_size=512),
     "fine": _Defaults(paths=1200, levels=5, iterations=300, final_iterations=2000, working_size=1024),
 }
 PAPER = _Defaults(paths=500, levels=5, iterations=200, final_iterations=400, working_size=512)  # paper, section 4.1

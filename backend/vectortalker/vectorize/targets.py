@@ -15,9 +15,11 @@ from vectortalker.landmarks.ibug import IrisDisc
 from vectortalker.masks import segment
 from vectortalker.schema import Landmarks
 from vectortalker.vectorize.frame import Frame, to_frame
+from vectortalker.vectorize.interior_starts import first_paths
 from vectortalker.vectorize.layering import LayerImages, layer_images, layered_level
 from vectortalker.vectorize.level import BACK, FORE, Level, single_sheet_level
 from vectortalker.vectorize.options import Settings
+from vectortalker.vectorize.population import Population, empty_population
 from vectortalker.vectorize.resize import resize
 from vectortalker.vectorize.schedule import LevelPlan
 
@@ -27,6 +29,7 @@ class Targets:
     """`stack`: f32 [h, w, 3], coarse to fine; `canvas` f32 [3]; `openings`: outlines [3S, 2] in portrait px.
 
     `layers` is None where everything belongs to one `group`: without a person, or when the user wants one layer.
+    `first_paths`: what eyes and mouth hide at rest, in the coarsest level's px.
     """
 
     stack: tuple[NDArray[np.float32], ...]
@@ -35,6 +38,7 @@ class Targets:
     layers: LayerImages | None
     group: int
     frame: Frame
+    first_paths: Population
 
     def level(self, index: int, level_plan: LevelPlan) -> Level:
         """Targets of level `index` at its resolution."""
@@ -64,12 +68,16 @@ def prepare(
     points = None if landmarks is None else np.array(landmarks.points, np.float64)
     placed = None if points is None else to_frame(points, frame)
     masks = segment(picture, placed, _scaled_alpha(portrait, frame))
+    nothing = empty_population(settings.segments)
     if not settings.layers or not masks.has_person:
-        return Targets(stack, canvas, (), None, FORE if masks.has_person else BACK, frame)
+        return Targets(stack, canvas, (), None, FORE if masks.has_person else BACK, frame, nothing)
     outlines = () if points is None else tuple(outline for _, outline, _ in core.opening_outlines(points))
     placed_outlines = tuple(to_frame(outline, frame) for outline in outlines)
     layers = layer_images(image, masks.fore, placed, _iris_discs(landmarks, frame), placed_outlines)
-    return Targets(stack, canvas, outlines, layers, FORE, frame)
+    if points is None:
+        return Targets(stack, canvas, outlines, layers, FORE, frame, nothing)
+    hidden = first_paths(portrait, points, frame, plans[0].frame, settings.paths, settings.segments)
+    return Targets(stack, canvas, outlines, layers, FORE, frame, hidden)
 
 
 def smoothed_stack(image: NDArray[np.float32], plans: list[LevelPlan]) -> tuple[NDArray[np.float32], ...]:
