@@ -7,7 +7,7 @@ from onnx import GraphProto, helper, numpy_helper
 
 
 def replace_transposed_convolution(graph: GraphProto) -> None:
-    """`Convolution2DTransposeBias`, kernel 2, stride 2: weights (out, height, width, in) become (in, out, height, width)."""
+    """`Convolution2DTransposeBias` (kernel 2, stride 2): weights (out, h, w, in) become (in, out, h, w)."""
     constants = {tensor.name: numpy_helper.to_array(tensor) for tensor in graph.initializer}
     for index, node in enumerate(graph.node):
         if node.op_type != "TFL_Convolution2DTransposeBias":
