@@ -87,8 +87,13 @@ def test_no_blocks_leave_the_mouth_at_rest() -> None:
 
 
 def test_long_vowel_reaches_its_target() -> None:
-    curves = articulate(in_a_row(("sil", 0.5), ("aa", 0.6), ("sil", 0.5)), 80, Blend())
-    assert curves[frame_at(0.8)] == pytest.approx(TARGETS[VISEMES.index("aa")], abs=0.05)
+    curves = articulate(in_a_row(("sil", 0.5), ("aa", 1.0), ("sil", 0.5)), 100, Blend())
+    assert curves[frame_at(1.0)] == pytest.approx(TARGETS[VISEMES.index("aa")], abs=0.05)
+
+
+def test_mouth_rests_in_a_pause_until_the_sound_is_near() -> None:
+    jaw = articulate(in_a_row(("aa", 0.3), ("sil", 1.0), ("aa", 0.3)), 80, Blend())[:, JAW]
+    assert jaw[frame_at(0.65) : frame_at(1.1)].max() < 0.1
 
 
 @pytest.mark.parametrize("consonant", ["DD", "kk", "nn"])

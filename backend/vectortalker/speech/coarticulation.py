@@ -3,8 +3,8 @@
 The blend is by dominance functions (Cohen and Massaro 1993, "Modeling coarticulation in synthetic visual speech",
 equations 1 to 3): every block pulls each channel towards its target with a strength that decays exponentially with
 distance, and the curve is the mean of the targets weighted by strength. Here distance is counted from the middle half
-of a block rather than from its centre, so that long vowels have a plateau. Closures are then laid over the blend,
-because a mean never closes.
+of a block rather than from its centre, nearly all of a long one, so that vowels have a plateau and pauses do not gape
+early. Closures are then laid over the blend, because a mean never closes.
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ _STRENGTHS = {"sil": 1.0, "PP": 0.3, "FF": 0.4, "CH": 0.7, "RR": 0.6, "SS": 0.5}
 )
 STRENGTH = np.array([_STRENGTHS.get(name, 1.0) for name in VISEMES])  # α, the vowels' is 1
 ROUND_HALF_LIFE = 0.12  # seconds before a rounded sound at which its rounding is felt by half
+ONSET = 0.03  # seconds within a block, a quarter of it at most, after which its pull is full
 REACH = 0.5  # seconds beyond a block after which its pull is below 2 %
 SHORT_PAUSE = 0.12  # seconds; shorter silences do not bring the mouth to rest
 
@@ -69,8 +70,9 @@ def _dominance(block: Block, times: NDArray[np.float64], blend: Blend) -> NDArra
     alpha = STRENGTH[VISEMES.index(block.viseme)]
     if block.viseme == "sil":
         alpha *= min(1.0, block.duration / SHORT_PAUSE) ** 2
-    before = np.maximum(block.start + 0.25 * block.duration - times, 0)
-    after = np.maximum(times - block.end + 0.25 * block.duration, 0)
+    onset = min(0.25 * block.duration, ONSET)
+    before = np.maximum(block.start + onset - times, 0)
+    after = np.maximum(times - block.end + onset, 0)
     half_lives = np.full(len(CHANNELS), blend.attack)
     if TARGETS[VISEMES.index(block.viseme), ROUND] > 0:
         half_lives[ROUND] = max(blend.attack, ROUND_HALF_LIFE)

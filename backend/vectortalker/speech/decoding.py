@@ -13,7 +13,7 @@ from vectortalker.speech.visemes import VISEMES, Block
 
 SWITCH_COST = 1.5  # nats a change of viseme costs; suppresses flicker
 LEAST_FRAMES = 2  # 40 ms
-CLOSURE_BIAS = 0.7  # nats for PP and FF: a missed closure is seen, a brief one too many hardly
+CLOSURE_BIAS = 0.3  # nats for PP and FF: a missed closure is seen more than a brief one too many
 
 Posteriors = NDArray[np.float32]  # log, [n, 15]
 
