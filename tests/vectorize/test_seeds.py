@@ -7,6 +7,7 @@ import pytest
 import vectortalker_core as core
 from hypothesis import given
 from hypothesis import strategies as st
+from vectortalker.vectorize.interior_starts import resegment
 from vectortalker.vectorize.peaks import SPACING, coherent_energy, error_samples, greedy_maxima
 from vectortalker.vectorize.starts import affine_fill, circle, contour_start, through_samples
 
@@ -103,3 +104,9 @@ def test_affine_fill_reproduces_linear_colours() -> None:
     share = np.clip((at - start) @ (end - start) / ((end - start) @ (end - start)), 0, 1)
     painted = stops[0, :3] + share[..., None] * (stops[1, :3] - stops[0, :3])
     assert np.abs(painted - ramp).max() < 2e-3
+
+
+def test_resegmented_circle_stays_a_circle() -> None:
+    points = resegment(circle((50, 40), 20, 8).astype(np.float64), 5)
+    assert points.shape == (15, 2)
+    assert np.allclose(np.linalg.norm(points[::3] - [50, 40], axis=1), 20, atol=0.05)
