@@ -1,4 +1,5 @@
 /** Sliders of all articulators, presets and resets. */
+import { useComputed } from '@preact/signals';
 import type { JSX } from 'preact';
 import { CHANNEL_GROUPS, type Channel, type ChannelGroup } from '../face/channels';
 import { PRESETS } from '../face/presets';
@@ -9,13 +10,14 @@ import { canPose, edit } from '../store/state';
 
 export function PosePanel(): JSX.Element {
   const disabled = !canPose.value;
+  const isResting = useComputed(() => isAtRest(edit.value.pose)).value;
   return (
     <div class="pose-panel">
       <Presets disabled={disabled} />
       {CHANNEL_GROUPS.map((group) => (
         <Group key={group.name} group={group} disabled={disabled} />
       ))}
-      <Button disabled={disabled || isAtRest(edit.value.pose)} onClick={() => apply(atRest)}>
+      <Button disabled={disabled || isResting} onClick={() => apply(atRest)}>
         Reset the whole pose
       </Button>
     </div>
@@ -41,7 +43,7 @@ function Presets({ disabled }: { readonly disabled: boolean }): JSX.Element {
 }
 
 function Group({ group, disabled }: { readonly group: ChannelGroup; readonly disabled: boolean }): JSX.Element {
-  const isMoved = group.channels.some(({ name }) => (edit.value.pose.articulators[name] ?? 0) !== 0);
+  const isMoved = useComputed(() => group.channels.some(({ name }) => (edit.value.pose.articulators[name] ?? 0) !== 0)).value;
   return (
     <fieldset class="channel-group" disabled={disabled}>
       <legend>{group.label}</legend>
@@ -59,7 +61,7 @@ function Group({ group, disabled }: { readonly group: ChannelGroup; readonly dis
 }
 
 function Slider({ channel }: { readonly channel: Channel }): JSX.Element {
-  const value = edit.value.pose.articulators[channel.name] ?? 0;
+  const value = useComputed(() => edit.value.pose.articulators[channel.name] ?? 0).value;
   const name = `${channel.label}: ${channel.ends[0]} to ${channel.ends[1]}`;
   const share = (v: number) => `${((v - channel.min) / (channel.max - channel.min)) * 100}%`;
   const reset = () => apply((present) => withoutChannels(present, [channel.name]));

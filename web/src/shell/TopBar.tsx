@@ -6,7 +6,7 @@ import { redoStep, undoStep } from '../store/editing';
 import { nextTheme } from '../store/looking';
 import { report } from '../store/notices';
 import { closePortrait, rename } from '../store/opening';
-import { canRedo, canUndo, edit, scene, session, shortcutsShown, theme } from '../store/state';
+import { canRedo, canUndo, documentName, scene, session, shortcutsShown, theme } from '../store/state';
 import { Button, IconButton } from './Button';
 import type { IconName } from './icons';
 import { PROJECTS, pickFile } from './pickFile';
@@ -21,7 +21,7 @@ export function TopBar(): JSX.Element {
         <BrandMark />
         VectorTalker
       </button>
-      {isOpen && <h1 class="visually-hidden">{edit.value.name}</h1>}
+      {isOpen && <h1 class="visually-hidden">{documentName.value}</h1>}
       {isOpen && <NameAndSteps />}
       <div class="spacer" />
       <IconButton icon={THEME_ICONS[theme.value]} label={`Theme: ${theme.value}`} onClick={nextTheme} />
@@ -54,7 +54,7 @@ function NameAndSteps(): JSX.Element {
       <input
         class="name-field"
         aria-label="Name of the portrait"
-        value={edit.value.name}
+        value={documentName.value}
         onChange={(event) => rename(event.currentTarget.value)}
       />
       <IconButton icon="undo" label="Undo" keys="Ctrl Z" disabled={!canUndo.value} onClick={undoStep} />

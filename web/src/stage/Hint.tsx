@@ -1,4 +1,5 @@
 /** One line at the foot of the stage: what a press here would do. */
+import { useComputed } from '@preact/signals';
 import type { JSX } from 'preact';
 import { playing, session } from '../store/state';
 import { standing } from './posing';
@@ -6,8 +7,8 @@ import { toolInHand } from './toolInHand';
 import { hoveredTarget, view } from './viewState';
 
 export function Hint(): JSX.Element | null {
+  const isStopped = useComputed(() => (standing.value?.limit.triangles.length ?? 0) > 0).value;
   if (session.value.kind === 'welcome' || session.value.kind === 'uploading') return null;
-  const isStopped = (standing.value?.limit.triangles.length ?? 0) > 0;
   return (
     <p class="hint">
       <span class="numeric">{Math.round(view.value.scale * 100)} %</span>

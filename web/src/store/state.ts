@@ -75,6 +75,9 @@ export const theme = signal<Theme>('system');
 
 export const canUndo = computed(() => history.value.past.length > 0);
 export const canRedo = computed(() => history.value.future.length > 0);
-export const track = computed(() => edit.value.tracks[0] ?? null);
+/** Parts of the document, so that a drag redraws only what shows what it changes. */
+export const documentName = computed(() => edit.value.name);
+export const openedTracks = computed(() => edit.value.tracks);
+export const track = computed(() => openedTracks.value[0] ?? null);
 /** Whether there is a picture on the stage whose landmarks can be moved. */
 export const canPose = computed(() => session.value.kind === 'editing' && edit.value.landmarks !== null);

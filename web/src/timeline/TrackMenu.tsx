@@ -3,7 +3,7 @@ import type { JSX } from 'preact';
 import { Button } from '../shell/Button';
 import { pickFile } from '../shell/pickFile';
 import { report } from '../store/notices';
-import { canPose, edit, track } from '../store/state';
+import { canPose, openedTracks, track } from '../store/state';
 import { openSampleTrack, openTrackFile, useTrack } from '../store/tracks';
 import { demoTrack } from './demo';
 import { sampleTracks } from './samples';
@@ -12,7 +12,7 @@ const DEMO = 'demo';
 
 export function TrackMenu(): JSX.Element {
   const samples = sampleTracks.value;
-  const opened = edit.value.tracks;
+  const opened = openedTracks.value;
   return (
     <div class="track-menu row">
       <select
@@ -56,6 +56,6 @@ function choose(value: string): void {
   if (value === DEMO) return useTrack(demoTrack());
   const [kind, name] = [value.slice(0, value.indexOf(':')), value.slice(value.indexOf(':') + 1)];
   if (kind === 'sample') openSampleTrack(name).catch(report);
-  const opened = edit.value.tracks.find((candidate) => candidate.name === name);
+  const opened = openedTracks.value.find((candidate) => candidate.name === name);
   if (kind === 'opened' && opened) useTrack(opened);
 }
