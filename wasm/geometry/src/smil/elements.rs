@@ -4,7 +4,6 @@ use std::fmt::Write as _;
 use std::ops::Range;
 
 use super::keyframes::{Trajectory, keyframes, largest_move};
-use super::merge::merged;
 use super::path_data::{difference, join, path_data, relative_numbers, whole};
 use super::picture::{Fill, Motion, Picture, Stop};
 use super::rigid::{RigidMotion, rigid_motion};
@@ -13,11 +12,8 @@ use crate::point::Point;
 /// What moves less than this, in portrait pixels, is not animated: nobody sees it.
 pub const STILL: f64 = 0.35;
 
-/// Steps of a written coordinate per tolerance: rounding takes a sixth of the tolerance.
+/// Steps of a written coordinate per tolerance: rounding takes a sixth of the tolerance, keyframes get the rest.
 const STEPS_PER_TOLERANCE: f64 = 4.0;
-
-/// Share of the tolerance that undoing splits may take.
-const MERGE_SHARE: f64 = 0.25;
 
 /// What coordinates and movements are relative to.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -142,13 +138,11 @@ impl<'a, M: Motion> Writer<'a, M> {
     /// Frames to write of a trajectory; none when it rests.
     fn keys(&self, trajectory: &Trajectory) -> Option<Vec<usize>> {
         let rounding = self.step * std::f64::consts::FRAC_1_SQRT_2;
-        let tolerance = (1.0 - MERGE_SHARE) * self.tolerance - rounding;
-        let moves = largest_move(trajectory) > STILL.min(tolerance);
-        moves.then(|| keyframes(trajectory, tolerance))
+        let moves = largest_move(trajectory) > STILL.min(self.tolerance - rounding);
+        moves.then(|| keyframes(trajectory, self.tolerance - rounding))
     }
 
     fn outline(&self, trajectory: &Trajectory, attributes: &str) -> String {
-        let trajectory = &merged(trajectory, 0.5 * self.step, MERGE_SHARE * self.tolerance);
         let rest = relative_numbers(&trajectory[0], self.step);
         let data = path_data(&rest);
         let Some(keys) = self.keys(trajectory) else {

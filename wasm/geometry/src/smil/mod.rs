@@ -2,7 +2,6 @@
 //!
 //! * Every outline is animated on `d` by keyframes that linear interpolation carries to all frames within a stated
 //!   tolerance; as a warp is linear in the landmarks, few are needed.
-//! * Splits of the rig are undone where both sides move alike: most are, and an outline gets a third of the numbers.
 //! * Coordinates are whole steps of a fraction of that tolerance, written relative (`m`, `c`, `z` everywhere: `d` is
 //!   only interpolated between equal command lists). Keyframes are differences from the first frame, `additive="sum"`:
 //!   neighbouring points move alike, so most numbers are one digit.
@@ -14,7 +13,6 @@
 mod document;
 mod elements;
 mod keyframes;
-mod merge;
 mod path_data;
 mod picture;
 mod reference;
@@ -32,7 +30,7 @@ pub use rigged::RiggedMotion;
 pub struct Options<'a> {
     /// Seconds from the first frame to the last.
     pub duration: f64,
-    /// Largest distance of a point of an outline from where its frame has it, in portrait pixels.
+    /// Largest distance of a control point from where its frame has it, in portrait pixels.
     pub tolerance: f64,
     /// Start again at the end; otherwise the last frame stays.
     pub looped: bool,
