@@ -51,10 +51,10 @@ export function createOverlay(): Overlay {
     if (shown.ghost) ghost.setAttribute('d', groupsPath(screen(frame.rest)));
     if (!shown.points) return;
     outline.setAttribute('d', groupsPath(points));
-    root.style.setProperty('--handle', `${handleRadius(points)}px`);
+    sizeHandles(root, handleRadius(points));
     irises.setAttribute('d', screen(frame.irises).map(crossPath).join(''));
     points.forEach(([x, y], index) => {
-      handles[index].setAttribute('transform', `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
+      write(handles[index], 'transform', `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
     });
   }
 
@@ -81,6 +81,17 @@ function handle(index: number): SVGCircleElement {
     'aria-valuenow': '0',
     'aria-valuetext': 'at rest',
   });
+}
+
+/** Sets an attribute only if it differs: most handles rest while one is dragged. */
+function write(element: SVGElement, name: string, value: string): void {
+  if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+}
+
+/** A changed custom property restyles every handle, so it is written only when it differs. */
+function sizeHandles(root: SVGGElement, radius: number): void {
+  const size = `${radius.toFixed(1)}px`;
+  if (root.style.getPropertyValue('--handle') !== size) root.style.setProperty('--handle', size);
 }
 
 /** Small faces get small handles, so that they stay faces. */
