@@ -99,7 +99,7 @@ def test_a_sound_that_is_not_heard_gets_its_place_all_the_same() -> None:
 
 
 def test_more_sounds_than_frames_are_refused() -> None:
-    with pytest.raises(VectorTalkerError, match="too many for 0.1 s"):
+    with pytest.raises(VectorTalkerError, match=r"too many for 0\.1 s"):
         align(sure_of(["aa"] * 5), [["aa", "PP"] * 10])
 
 

@@ -10,7 +10,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.io import wavfile
-
 from vectortalker.cli import main
 from vectortalker.errors import VectorTalkerError
 from vectortalker.schema import N_LANDMARKS, Track

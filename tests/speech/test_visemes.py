@@ -116,6 +116,12 @@ def test_lips_are_fully_pressed_at_every_p_b_m(vowel: str, seconds: float) -> No
     assert curves[frame_at(0.1), PRESS] < 0.05
 
 
+def test_lips_closed_before_a_pause_do_not_gape_in_it() -> None:
+    curves = articulate(in_a_row(("aa", 0.3), ("PP", 0.1), ("sil", 0.5)), 45, Blend())
+    parted = (1 - curves[frame_at(0.34) :, PRESS]) * curves[frame_at(0.34) :, JAW]
+    assert parted.max() < 0.1
+
+
 def test_lower_lip_meets_the_teeth_at_f_and_v() -> None:
     curves = articulate(in_a_row(("aa", 0.3), ("FF", 0.1), ("aa", 0.3)), 35, Blend())
     middle = curves[frame_at(0.32)]

@@ -30,6 +30,7 @@ SHORT_PAUSE = 0.12  # seconds; shorter silences do not bring the mouth to rest
 
 CLOSURE_LEAD = 0.03  # seconds by which lips meet before the sound of their closure begins
 CLOSURE_HOLD = 0.06  # least time that they stay together
+REST_HOLD = 0.25  # longest time that closed lips wait in a pause, after which the jaw has come to rest, too
 CLOSURE_RAMP = 0.05  # time of their way there, and back
 CLOSED_JAW = 0.5  # share of the jaw's opening that is left at p, b, m; the lips stretch over it
 
@@ -53,10 +54,15 @@ def articulate(blocks: list[Block], n_frames: int, blend: Blend) -> NDArray[np.f
         pulls[first:last] += pull
         sums[first:last] += pull * _target(block)
     curves = sums / pulls
-    for block in blocks:
+    for before, block, after in zip([None, *blocks], blocks, [*blocks[1:], None], strict=False):
         if block.viseme in ("PP", "FF"):
-            _close(curves, block)
+            _close(curves, block, _pause(before), _pause(after))
     return curves
+
+
+def _pause(neighbour: Block | None) -> float:
+    """Seconds for which lips that meet beside a pause stay together in it: they do not gape at nothing."""
+    return min(neighbour.duration, REST_HOLD) if neighbour is not None and neighbour.viseme == "sil" else 0.0
 
 
 def _target(block: Block) -> NDArray[np.float64]:
@@ -79,10 +85,13 @@ def _dominance(block: Block, times: NDArray[np.float64], blend: Blend) -> NDArra
     return alpha * np.exp2(-before[:, None] / half_lives - after[:, None] / blend.release)
 
 
-def _close(curves: NDArray[np.float64], block: Block) -> None:
-    """Bring lips together over `block` (p b m), or the lower lip to the upper teeth (f v), whatever the blend says."""
-    start = block.start - CLOSURE_LEAD
-    end = max(block.end - CLOSURE_LEAD, start + CLOSURE_HOLD)
+def _close(curves: NDArray[np.float64], block: Block, lead: float, hold: float) -> None:
+    """Bring lips together over `block` (p b m), or the lower lip to the upper teeth (f v), whatever the blend says.
+
+    They meet `lead` seconds earlier and part `hold` seconds later than closures within speech do.
+    """
+    start = block.start - CLOSURE_LEAD - lead
+    end = max(block.end - CLOSURE_LEAD, block.start - CLOSURE_LEAD + CLOSURE_HOLD) + hold
     first = max(0, int((start - CLOSURE_RAMP) * FPS))
     times = np.arange(first, min(len(curves), int((end + CLOSURE_RAMP) * FPS) + 2)) / FPS
     away = np.maximum(start - times, times - end).clip(0, CLOSURE_RAMP) / CLOSURE_RAMP
