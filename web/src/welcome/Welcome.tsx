@@ -18,7 +18,7 @@ export function Welcome(): JSX.Element {
       <DropZone />
       <Samples />
       <p class="quiet small-print">
-        The picture goes to the VectorTalker server at {location.host} and nowhere else; it stays there until you remove it. Your work is
+        The picture goes to the VectorTalker server at {location.host} and nowhere else; it stays in that server’s data folder. Your work is
         kept in this browser. No account.
       </p>
     </main>
