@@ -84,6 +84,17 @@ def test_each_layer_claims_its_own_pixels(images: LayerImages, picture: np.ndarr
     assert back.owner[2, 2] == BACK and fore.owner[70, 48] == FORE
 
 
+def test_teeth_of_an_open_mouth_belong_to_skull_and_jaw(picture: np.ndarray) -> None:
+    mouth = circle((48, 60), 10, 4).astype(np.float64)
+    image = picture.copy()
+    image[50:71, 38:59] = [0.2, 0.05, 0.05]
+    image[52:56, 40:57] = image[65:68, 40:57] = 0.9
+    image[59:62, 44:53] = [0.9, 0.4, 0.4]
+    nothing = np.zeros((0, 2))
+    parts = layer_images(image, np.ones((SIDE, SIDE), np.float32), None, (), (nothing, nothing, mouth)).parts
+    assert [parts[row, 48] - FIRST_LOCAL for row in (54, 60, 66, 58)] == [7, 4, 5, 4]
+
+
 def test_fore_leaves_the_scenery_and_hides_the_back(images: LayerImages, picture: np.ndarray) -> None:
     population = run(images, picture).population
     fore = slice(population.below(FORE), population.below(FIRST_LOCAL))

@@ -29,6 +29,10 @@ EMPHASIS_MARGIN = 0.3  # of a feature's width around its landmarks
 EDGE_MARGIN = 0.012  # of the long side: fore paths may reach this far over the silhouette
 FIRST_PART = (0, 1, 4)  # part of a path seeded in the left eye's, right eye's and mouth's opening
 IRIS_PART = (2, 3)
+MOUTH = 2  # index of its opening
+LOWER_TEETH, UPPER_TEETH = 5, 7
+LEAST_TEETH_CONTRAST = 0.25  # of lightness within an open mouth; below it no teeth are told from the rest
+MOST_TEETH_CHROMA = 0.35  # largest minus least channel: lips and tongue have more
 FEATURES = (range(36, 42), range(42, 48), range(48, 68))  # iBUG: image-left eye, image-right eye, mouth
 
 
@@ -71,11 +75,28 @@ def layer_images(
         inside = (np.hypot(x - iris.centre[0], y - iris.centre[1]) < iris.radius) & (clips[eye] > 0)
         parts[inside] = FIRST_LOCAL + IRIS_PART[eye]
         discs[inside] = 1
+    if len(clips) > MOUTH:
+        _mark_teeth(parts, image, clips[MOUTH] > CORE)
     face_height = None if landmarks is None else float(np.ptp(landmarks[:, 1]))
     layers = targets(image, mask, clips, irises, face_height)
     ball = fill(layers.local, (clips[:2].sum(axis=0) > CORE).astype(np.float32) * (1 - discs)) if len(clips) else image
     emphasis = np.ones(mask.shape, np.float32) if landmarks is None else emphasise(mask.shape, landmarks)
     return LayerImages(layers, ball, mask, discs, emphasis, clips, parts)
+
+
+def _mark_teeth(parts: NDArray[np.int64], image: NDArray[np.float32], inside: NDArray[np.bool_]) -> None:
+    """Give what is light and grey `inside` an open mouth to the jaw below its middle and to the skull above."""
+    if not inside.any():
+        return
+    lightness, chroma = image.mean(axis=2), np.ptp(image, axis=2)
+    dark, light = np.percentile(lightness[inside], (10, 90))
+    if light - dark < LEAST_TEETH_CONTRAST:
+        return
+    teeth = inside & (lightness > (dark + light) / 2) & (chroma < MOST_TEETH_CHROMA)
+    rows = np.arange(len(inside))[:, None]
+    middle = np.flatnonzero(inside.any(axis=1)).mean()
+    parts[teeth & (rows < middle)] = FIRST_LOCAL + UPPER_TEETH
+    parts[teeth & (rows >= middle)] = FIRST_LOCAL + LOWER_TEETH
 
 
 def layered_level(
