@@ -19,19 +19,10 @@ type Outline<'py> = (&'static str, Points<'py>, bool);
 
 /// Outlines of the eye and mouth openings of 68 landmarks at rest: `(name, points[3S, 2], closed)`.
 #[pyfunction]
-fn opening_outlines<'py>(
-    py: Python<'py>,
-    landmarks: PyReadonlyArray2<'py, f64>,
-) -> PyResult<Vec<Outline<'py>>> {
+fn opening_outlines<'py>(py: Python<'py>, landmarks: PyReadonlyArray2<'py, f64>) -> PyResult<Vec<Outline<'py>>> {
     opening::rest_outlines(&landmark_points(&landmarks)?)
         .into_iter()
-        .map(|outline| {
-            Ok((
-                outline.opening.name(),
-                rows(py, &outline.points)?,
-                outline.closed,
-            ))
-        })
+        .map(|outline| Ok((outline.opening.name(), rows(py, &outline.points)?, outline.closed)))
         .collect()
 }
 
@@ -52,9 +43,9 @@ type Fit<'py> = (Points<'py>, [[f64; 3]; 2]);
 /// Landmarks [68, 2] and irises (x, y, radius) for five pins [5, 2]; None when the pins coincide.
 #[pyfunction]
 fn fit_pins<'py>(py: Python<'py>, pins: PyReadonlyArray2<'py, f64>) -> PyResult<Option<Fit<'py>>> {
-    let pins = points_of(&pins)?.try_into().map_err(|pins: Vec<Point>| {
-        PyValueError::new_err(format!("expected 5 pins, got {}", pins.len()))
-    })?;
+    let pins = points_of(&pins)?
+        .try_into()
+        .map_err(|pins: Vec<Point>| PyValueError::new_err(format!("expected 5 pins, got {}", pins.len())))?;
     let Some((landmarks, irises)) = geometry::fit::fit_pins(&pins) else {
         return Ok(None);
     };
@@ -71,10 +62,7 @@ pub struct PyRig {
 impl PyRig {
     #[new]
     #[pyo3(signature = (size, points, segments, layers, landmarks, irises=None, depth=None, split=true, smooth=true))]
-    #[expect(
-        clippy::too_many_arguments,
-        reason = "flat arrays only cross the border"
-    )]
+    #[expect(clippy::too_many_arguments, reason = "flat arrays only cross the border")]
     fn new(
         size: (f64, f64),
         points: PyReadonlyArray2<f64>,
@@ -86,27 +74,13 @@ impl PyRig {
         split: bool,
         smooth: bool,
     ) -> PyResult<Self> {
-        let layers: Vec<Layer> = layers
-            .into_iter()
-            .map(Layer::from_number)
-            .collect::<Result<_, _>>()
-            .map_err(raise)?;
+        let layers: Vec<Layer> = layers.into_iter().map(Layer::from_number).collect::<Result<_, _>>().map_err(raise)?;
         let points = points_of(&points)?;
-        let scene = SceneGeometry {
-            width: size.0,
-            height: size.1,
-            points: &points,
-            segments: &segments,
-            layers: &layers,
-        };
+        let scene =
+            SceneGeometry { width: size.0, height: size.1, points: &points, segments: &segments, layers: &layers };
         let rest = RestFace {
             landmarks: landmark_points(&landmarks)?,
-            irises: irises.map(|pair| {
-                pair.map(|[x, y, radius]| Iris {
-                    centre: Point::new(x, y),
-                    radius,
-                })
-            }),
+            irises: irises.map(|pair| pair.map(|[x, y, radius]| Iris { centre: Point::new(x, y), radius })),
             depth: depth.map(depths).transpose()?,
         };
         let rig = Rig::build(&scene, &rest, Options { split, smooth }).map_err(raise)?;
@@ -122,10 +96,7 @@ impl PyRig {
     #[getter]
     fn triangles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<usize>>> {
         let triangles = &self.rig.mesh().triangles;
-        let flat: Vec<usize> = triangles
-            .iter()
-            .flat_map(|triangle| triangle.vertices)
-            .collect();
+        let flat: Vec<usize> = triangles.iter().flat_map(|triangle| triangle.vertices).collect();
         flat.into_pyarray(py).reshape([triangles.len(), 3])
     }
 
@@ -137,10 +108,7 @@ impl PyRig {
     /// Control points of one path at rest, split as in every frame.
     fn rest_path<'py>(&self, py: Python<'py>, path: usize) -> PyResult<Points<'py>> {
         if path >= self.n_paths() {
-            return Err(PyIndexError::new_err(format!(
-                "path {path} of {}",
-                self.n_paths()
-            )));
+            return Err(PyIndexError::new_err(format!("path {path} of {}", self.n_paths())));
         }
         rows(py, self.rig.paths().rest_path(path))
     }
@@ -153,11 +121,7 @@ impl PyRig {
         articulators: Vec<f64>,
         offsets: Option<PyReadonlyArray2<'py, f64>>,
     ) -> PyResult<(Points<'py>, f64, Vec<usize>)> {
-        let offsets = offsets
-            .as_ref()
-            .map(points_of)
-            .transpose()?
-            .unwrap_or_default();
+        let offsets = offsets.as_ref().map(points_of).transpose()?.unwrap_or_default();
         let pose = Pose::from_flat(&articulators, &to_flat(&offsets)).map_err(raise)?;
         let (vertices, limit) = self.rig.vertices(&pose);
         Ok((rows(py, &vertices)?, limit.scale, limit.triangles))
@@ -175,36 +139,17 @@ impl PyRig {
         let vertices = points_of(&vertices)?;
         let since = since.as_ref().map(points_of).transpose()?;
         let since = since.as_deref().unwrap_or(self.rig.rest_vertices());
-        let Frame {
-            changed,
-            starts,
-            points,
-        } = self.rig.frame(&vertices, since).map_err(raise)?;
-        Ok((
-            changed.into_pyarray(py),
-            starts.into_pyarray(py),
-            rows(py, &points)?,
-        ))
+        let Frame { changed, starts, points } = self.rig.frame(&vertices, since).map_err(raise)?;
+        Ok((changed.into_pyarray(py), starts.into_pyarray(py), rows(py, &points)?))
     }
 
     /// Outlines of left eye, right eye and mouth for posed vertices.
-    fn openings<'py>(
-        &self,
-        py: Python<'py>,
-        vertices: PyReadonlyArray2<'py, f64>,
-    ) -> PyResult<Vec<Points<'py>>> {
+    fn openings<'py>(&self, py: Python<'py>, vertices: PyReadonlyArray2<'py, f64>) -> PyResult<Vec<Points<'py>>> {
         let vertices = points_of(&vertices)?;
         if vertices.len() < N_LANDMARKS {
-            return Err(PyValueError::new_err(format!(
-                "{} vertices given",
-                vertices.len()
-            )));
+            return Err(PyValueError::new_err(format!("{} vertices given", vertices.len())));
         }
-        self.rig
-            .openings(&vertices)
-            .iter()
-            .map(|outline| rows(py, outline))
-            .collect()
+        self.rig.openings(&vertices).iter().map(|outline| rows(py, outline)).collect()
     }
 }
 
@@ -216,33 +161,21 @@ pub fn points_of(array: &PyReadonlyArray2<f64>) -> PyResult<Vec<Point>> {
     let view = array.as_array();
     if view.ncols() != 2 {
         let columns = view.ncols();
-        return Err(PyValueError::new_err(format!(
-            "expected (x, y) rows, got {columns} columns"
-        )));
+        return Err(PyValueError::new_err(format!("expected (x, y) rows, got {columns} columns")));
     }
-    Ok(view
-        .rows()
-        .into_iter()
-        .map(|row| Point::new(row[0], row[1]))
-        .collect())
+    Ok(view.rows().into_iter().map(|row| Point::new(row[0], row[1])).collect())
 }
 
 fn landmark_points(array: &PyReadonlyArray2<f64>) -> PyResult<[Point; N_LANDMARKS]> {
     points_of(array)?.try_into().map_err(|points: Vec<Point>| {
-        PyValueError::new_err(format!(
-            "expected {N_LANDMARKS} landmarks, got {}",
-            points.len()
-        ))
+        PyValueError::new_err(format!("expected {N_LANDMARKS} landmarks, got {}", points.len()))
     })
 }
 
 fn depths(depth: Vec<f64>) -> PyResult<[f64; N_LANDMARKS]> {
-    depth.try_into().map_err(|depth: Vec<f64>| {
-        PyValueError::new_err(format!(
-            "expected {N_LANDMARKS} depths, got {}",
-            depth.len()
-        ))
-    })
+    depth
+        .try_into()
+        .map_err(|depth: Vec<f64>| PyValueError::new_err(format!("expected {N_LANDMARKS} depths, got {}", depth.len())))
 }
 
 pub fn rows<'py>(py: Python<'py>, points: &[Point]) -> PyResult<Points<'py>> {

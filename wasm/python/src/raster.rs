@@ -3,10 +3,7 @@
 mod arrays;
 
 use arrays::{Flags, Scene, array, flat, refused, shape};
-use numpy::{
-    IntoPyArray, Ix2, PyArray, PyArray1, PyArray3, PyReadonlyArray1, PyReadonlyArray2,
-    PyReadonlyArray3,
-};
+use numpy::{IntoPyArray, Ix2, PyArray, PyArray1, PyArray3, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use raster::{Checkpoint, Frame, Gradients, Objective, Paths};
@@ -39,31 +36,13 @@ fn rasterize<'py>(
     quantise: bool,
 ) -> PyResult<Bound<'py, PyArray3<f32>>> {
     let gradient = gradient.values();
-    let scene = Scene {
-        points,
-        stops,
-        axis,
-        gradient,
-        clip,
-        clips,
-        canvas,
-        width,
-        height,
-        subrows,
-        quantise,
-    };
+    let scene = Scene { points, stops, axis, gradient, clip, clips, canvas, width, height, subrows, quantise };
     let (paths, frame) = (scene.paths()?, scene.frame()?);
-    let image = py
-        .detach(|| raster::rasterize(&paths, &frame, threads))
-        .map_err(refused)?;
+    let image = py.detach(|| raster::rasterize(&paths, &frame, threads)).map_err(refused)?;
     array(py, image, [height, width, 3])
 }
 
-type CheckpointArrays<'py> = (
-    usize,
-    PyReadonlyArray3<'py, f32>,
-    PyReadonlyArray2<'py, f32>,
-);
+type CheckpointArrays<'py> = (usize, PyReadonlyArray3<'py, f32>, PyReadonlyArray2<'py, f32>);
 type GradientArrays<'py> = (
     Bound<'py, PyArray1<f64>>,
     Bound<'py, PyArray3<f32>>,
@@ -93,40 +72,21 @@ fn loss_and_gradients<'py>(
     quantise: bool,
 ) -> PyResult<GradientArrays<'py>> {
     let Some((_, target, _)) = checkpoints.first() else {
-        return Err(PyValueError::new_err(
-            "checkpoints is empty; at least one is needed.",
-        ));
+        return Err(PyValueError::new_err("checkpoints is empty; at least one is needed."));
     };
     let [height, width, _] = shape("target", target, [None, None, Some(3)])?;
     let gradient = gradient.values();
-    let scene = Scene {
-        points,
-        stops,
-        axis,
-        gradient,
-        clip,
-        clips,
-        canvas,
-        width,
-        height,
-        subrows,
-        quantise,
-    };
+    let scene = Scene { points, stops, axis, gradient, clip, clips, canvas, width, height, subrows, quantise };
     let (paths, frame) = (scene.paths()?, scene.frame()?);
     let mut targets = Vec::with_capacity(checkpoints.len());
     for (below, target, weight) in &checkpoints {
         shape("target", target, [Some(height), Some(width), Some(3)])?;
         shape("weight", weight, [Some(height), Some(width)])?;
-        targets.push(Checkpoint {
-            below: *below,
-            target: flat("target", target)?,
-            weight: flat("weight", weight)?,
-        });
+        targets.push(Checkpoint { below: *below, target: flat("target", target)?, weight: flat("weight", weight)? });
     }
     let objective = Objective::Checkpoints(&targets);
-    let found = py
-        .detach(|| raster::differentiate(&paths, &frame, &objective, importance, threads))
-        .map_err(refused)?;
+    let found =
+        py.detach(|| raster::differentiate(&paths, &frame, &objective, importance, threads)).map_err(refused)?;
     arrays(py, found, &paths, &frame, importance)
 }
 
@@ -150,24 +110,10 @@ fn gradients<'py>(
 ) -> PyResult<GradientArrays<'py>> {
     let [height, width, _] = shape("grad_image", &grad_image, [None, None, Some(3)])?;
     let gradient = gradient.values();
-    let scene = Scene {
-        points,
-        stops,
-        axis,
-        gradient,
-        clip,
-        clips,
-        canvas,
-        width,
-        height,
-        subrows,
-        quantise,
-    };
+    let scene = Scene { points, stops, axis, gradient, clip, clips, canvas, width, height, subrows, quantise };
     let (paths, frame) = (scene.paths()?, scene.frame()?);
     let objective = Objective::Upstream(flat("grad_image", &grad_image)?);
-    let found = py
-        .detach(|| raster::differentiate(&paths, &frame, &objective, false, threads))
-        .map_err(refused)?;
+    let found = py.detach(|| raster::differentiate(&paths, &frame, &objective, false, threads)).map_err(refused)?;
     arrays(py, found, &paths, &frame, false)
 }
 
@@ -181,9 +127,7 @@ fn coverage<'py>(
 ) -> PyResult<Bound<'py, PyArray<f32, Ix2>>> {
     shape("points", &points, [None, Some(2)])?;
     let ring = flat("points", &points)?;
-    let mask = py
-        .detach(|| raster::coverage(ring, width, height))
-        .map_err(refused)?;
+    let mask = py.detach(|| raster::coverage(ring, width, height)).map_err(refused)?;
     array(py, mask, [height, width])
 }
 
@@ -199,35 +143,12 @@ fn overlap<'py>(
 ) -> PyResult<Bound<'py, PyArray<f64, Ix2>>> {
     let [n, controls, _] = shape("points", &points, [None, None, Some(2)])?;
     let ring = flat("points", &points)?;
-    let (stops, axis, gradient, clip) = (
-        vec![0.0; 8 * n],
-        vec![0.0; 4 * n],
-        vec![false; n],
-        vec![-1; n],
-    );
-    let paths = Paths {
-        segments: controls / 3,
-        points: ring,
-        stops: &stops,
-        axis: &axis,
-        gradient: &gradient,
-        clip: &clip,
-    };
-    let frame = Frame {
-        width,
-        height,
-        canvas: [0.0; 3],
-        clips: &[],
-        subrows: 4,
-        quantise: false,
-    };
-    let found = py
-        .detach(|| raster::overlaps(&paths, &frame, threads))
-        .map_err(refused)?;
-    let areas = found
-        .iter()
-        .flat_map(|o| [o.covered, o.folded, o.reversed])
-        .collect();
+    let (stops, axis, gradient, clip) = (vec![0.0; 8 * n], vec![0.0; 4 * n], vec![false; n], vec![-1; n]);
+    let paths =
+        Paths { segments: controls / 3, points: ring, stops: &stops, axis: &axis, gradient: &gradient, clip: &clip };
+    let frame = Frame { width, height, canvas: [0.0; 3], clips: &[], subrows: 4, quantise: false };
+    let found = py.detach(|| raster::overlaps(&paths, &frame, threads)).map_err(refused)?;
+    let areas = found.iter().flat_map(|o| [o.covered, o.folded, o.reversed]).collect();
     array(py, areas, [n, 3])
 }
 

@@ -15,10 +15,7 @@ use crate::geometry::{Points, PyRig, points_of, rows};
 /// in `Fill::from_flat`, `axes` [2n, 2] both gradient ends of every path at rest, `vertices` [frames, V, 2] evenly spaced
 /// over `duration` seconds. Raises `ValueError` when they do not fit together.
 #[pyfunction]
-#[expect(
-    clippy::too_many_arguments,
-    reason = "flat arrays only cross the border"
-)]
+#[expect(clippy::too_many_arguments, reason = "flat arrays only cross the border")]
 fn animated_svg(
     py: Python,
     rig: &PyRig,
@@ -46,23 +43,14 @@ fn animated_svg(
     };
     let axes = points_of(&axes)?;
     let flat: Vec<f64> = vertices.as_array().iter().copied().collect();
-    let options = Options {
-        duration,
-        tolerance,
-        looped,
-        title,
-        description,
-    };
+    let options = Options { duration, tolerance, looped, title, description };
     let rig = &rig.rig;
     py.detach(|| {
         let vertices = geometry::point::from_flat(&flat);
-        let motion = RiggedMotion::new(rig, &vertices, &axes)
-            .filter(|_| picture.is_whole() && options.is_sound());
+        let motion = RiggedMotion::new(rig, &vertices, &axes).filter(|_| picture.is_whole() && options.is_sound());
         motion.map(|motion| write(&picture, &motion, &options))
     })
-    .ok_or_else(|| {
-        PyValueError::new_err("picture, gradient ends, frames and options do not fit the rig")
-    })
+    .ok_or_else(|| PyValueError::new_err("picture, gradient ends, frames and options do not fit the rig"))
 }
 
 /// Ends [2k, 2] of the gradients of the k `changed` paths of a frame, from their rest ends `axes` [2n, 2].
@@ -82,15 +70,10 @@ fn follow_gradients<'py>(
         .enumerate()
         .map(|(k, &path)| {
             let warped = points.get(*starts.get(k)?..*starts.get(k + 1)?)?;
-            Some(follow_path(
-                [*axes.get(2 * path)?, *axes.get(2 * path + 1)?],
-                rig.rig.paths().rest_path(path),
-                warped,
-            ))
+            Some(follow_path([*axes.get(2 * path)?, *axes.get(2 * path + 1)?], rig.rig.paths().rest_path(path), warped))
         })
         .collect();
-    let ends =
-        ends.ok_or_else(|| PyValueError::new_err("frame and gradient ends do not fit together"))?;
+    let ends = ends.ok_or_else(|| PyValueError::new_err("frame and gradient ends do not fit together"))?;
     rows(py, &ends.concat())
 }
 

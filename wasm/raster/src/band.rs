@@ -57,10 +57,7 @@ impl<const S: usize> Band<S> {
         self.begin(call, top);
         let losses = self.observe(call, objective);
         self.write(call.frame, rows);
-        let mut gradient = BandGradient {
-            losses,
-            ..BandGradient::default()
-        };
+        let mut gradient = BandGradient { losses, ..BandGradient::default() };
         self.unblend_tiles(call, importance, &mut gradient);
         self.differentiate_outlines(call, &mut gradient);
         gradient
@@ -87,8 +84,7 @@ impl<const S: usize> Band<S> {
         self.cover.fill(call, top);
         self.below.resize(self.cover.stored(), [[0.0; ROWS]; 3]);
         self.picture.clear();
-        self.picture
-            .resize(call.frame.width, call.frame.canvas.map(|v| [v; ROWS]));
+        self.picture.resize(call.frame.width, call.frame.canvas.map(|v| [v; ROWS]));
         if call.frame.quantise {
             quantise(&mut self.picture);
         }
@@ -104,16 +100,7 @@ impl<const S: usize> Band<S> {
         let (across, storage) = (tile.across(), tile.storage.clone());
         let (winding, mask) = self.cover.columns(i);
         let picture = &mut self.picture[across.clone()];
-        blend(
-            &fill,
-            place,
-            blend::Columns {
-                winding,
-                mask,
-                picture,
-                below: &mut self.below[storage],
-            },
-        );
+        blend(&fill, place, blend::Columns { winding, mask, picture, below: &mut self.below[storage] });
         if call.frame.quantise {
             quantise(&mut self.picture[across]);
         }
@@ -126,18 +113,11 @@ impl<const S: usize> Band<S> {
         if let Objective::Checkpoints(checkpoints) = objective {
             self.seams.resize_with(checkpoints.len(), Seam::default);
             for (i, checkpoint) in checkpoints.iter().enumerate() {
-                while next < self.cover.tiles.len()
-                    && self.cover.tiles[next].path < checkpoint.below
-                {
+                while next < self.cover.tiles.len() && self.cover.tiles[next].path < checkpoint.below {
                     self.blend_tile(call, next);
                     next += 1;
                 }
-                losses.push(self.seams[i].observe(
-                    checkpoint,
-                    &self.picture,
-                    call.frame,
-                    self.cover.top,
-                ));
+                losses.push(self.seams[i].observe(checkpoint, &self.picture, call.frame, self.cover.top));
             }
         }
         for i in next..self.cover.tiles.len() {
@@ -167,21 +147,10 @@ impl<const S: usize> Band<S> {
             let (path, across, storage) = (tile.path, tile.across(), tile.storage.clone());
             let (winding, mask) = self.cover.columns(i);
             let grad = &mut self.grad[across.clone()];
-            let columns = unblend::Columns {
-                winding,
-                mask,
-                below: &self.below[storage],
-                grad,
-            };
-            let importance = if importance {
-                removal(&fill, place, &columns, &mut self.curvature[across])
-            } else {
-                0.0
-            };
-            out.fills.push(FillGradient {
-                importance,
-                ..unblend(&fill, place, columns)
-            });
+            let columns = unblend::Columns { winding, mask, below: &self.below[storage], grad };
+            let importance =
+                if importance { removal(&fill, place, &columns, &mut self.curvature[across]) } else { 0.0 };
+            out.fills.push(FillGradient { importance, ..unblend(&fill, place, columns) });
             out.paths.push(path);
         }
     }

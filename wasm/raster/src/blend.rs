@@ -25,16 +25,9 @@ pub fn blend<const S: usize>(fill: &Fill, place: Place, columns: Columns<'_, S>)
     }
 }
 
-fn blend_with<const S: usize, const LINEAR: bool>(
-    mut shade: Shade<LINEAR>,
-    columns: Columns<'_, S>,
-) {
+fn blend_with<const S: usize, const LINEAR: bool>(mut shade: Shade<LINEAR>, columns: Columns<'_, S>) {
     let mut running = [[0.0; ROWS]; S];
-    let buffers = columns
-        .winding
-        .iter_mut()
-        .zip(columns.picture)
-        .zip(columns.below);
+    let buffers = columns.winding.iter_mut().zip(columns.picture).zip(columns.below);
     for (i, ((winding, c), below)) in buffers.enumerate() {
         let mut covered = resolve(&mut running, winding);
         if let Some(mask) = columns.mask {

@@ -37,25 +37,14 @@ pub struct Columns {
 }
 
 /// Appends the parts of a path's chords inside the window and returns the columns that they wind around, if any.
-pub fn clip_path(
-    chords: &Chords,
-    path: usize,
-    window: Window,
-    pieces: &mut Vec<Piece>,
-) -> Option<Columns> {
+pub fn clip_path(chords: &Chords, path: usize, window: Window, pieces: &mut Vec<Piece>) -> Option<Columns> {
     let before = pieces.len();
     let (top, bottom) = (window.top as f32, (window.top + ROWS) as f32);
     let (low, high) = chords.path_rows[path];
     if high < top || low >= bottom {
         return None;
     }
-    let mut clip = Clip {
-        window,
-        pieces,
-        low: f32::MAX,
-        high: f32::MIN,
-        beyond: false,
-    };
+    let mut clip = Clip { window, pieces, low: f32::MAX, high: f32::MIN, beyond: false };
     for segment in path * chords.segments..(path + 1) * chords.segments {
         let (low, high) = chords.segment_rows[segment];
         if high < top || low >= bottom {
@@ -64,12 +53,7 @@ pub fn clip_path(
         let start = chords.start[segment];
         for vertex in start..start + chords.count[segment] {
             let v = vertex as usize;
-            clip.chord(
-                vertex,
-                segment as u32,
-                [chords.x[v], chords.y[v]],
-                [chords.x[v + 1], chords.y[v + 1]],
-            );
+            clip.chord(vertex, segment as u32, [chords.x[v], chords.y[v]], [chords.x[v + 1], chords.y[v + 1]]);
         }
     }
     let columns = clip.columns();
@@ -95,15 +79,8 @@ impl Clip<'_> {
             return None;
         }
         let first = (self.low as usize).min(width - 1);
-        let last = if self.beyond {
-            width
-        } else {
-            (self.high.ceil() as usize).min(width)
-        };
-        (self.beyond || self.high > 0.0).then_some(Columns {
-            first,
-            last: last.max(first + 1),
-        })
+        let last = if self.beyond { width } else { (self.high.ceil() as usize).min(width) };
+        (self.beyond || self.high > 0.0).then_some(Columns { first, last: last.max(first + 1) })
     }
 
     /// Cuts a chord at the band's top and bottom.
@@ -121,16 +98,7 @@ impl Clip<'_> {
         let tb = if yb == y1 { 1.0 } else { (yb - y0) / dy };
         let xa = if ya == y0 { p0[0] } else { p0[0] + ta * dx };
         let xb = if yb == y1 { p1[0] } else { p0[0] + tb * dx };
-        self.sides(Piece {
-            vertex,
-            segment,
-            t0: ta,
-            share: tb - ta,
-            x: xa,
-            y: ya,
-            dx: xb - xa,
-            dy: yb - ya,
-        });
+        self.sides(Piece { vertex, segment, t0: ta, share: tb - ta, x: xa, y: ya, dx: xb - xa, dy: yb - ya });
     }
 
     /// Splits a part at the canvas' left and right borders; clamping x instead would bend it.
@@ -144,11 +112,7 @@ impl Clip<'_> {
             return self.side(p, 0.0, 1.0);
         }
         let at = |x: f32| ((x - p.x) / p.dx).clamp(0.0, 1.0);
-        let (enter, leave) = if p.dx > 0.0 {
-            (at(0.0), at(width))
-        } else {
-            (at(width), at(0.0))
-        };
+        let (enter, leave) = if p.dx > 0.0 { (at(0.0), at(width)) } else { (at(width), at(0.0)) };
         for (u0, u1) in [(0.0, enter), (enter, leave), (leave, 1.0)] {
             if u1 > u0 {
                 self.side(p, u0, u1);
@@ -161,30 +125,15 @@ impl Clip<'_> {
         let width = self.window.width as f32;
         let middle = p.x + 0.5 * (u0 + u1) * p.dx;
         let y = p.y + u0 * p.dy;
-        let part = Piece {
-            t0: p.t0 + u0 * p.share,
-            y,
-            dy: (p.y + u1 * p.dy) - y,
-            ..p
-        };
+        let part = Piece { t0: p.t0 + u0 * p.share, y, dy: (p.y + u1 * p.dy) - y, ..p };
         if middle > width {
             self.beyond = true;
         } else if middle < 0.0 {
-            self.push(Piece {
-                share: 0.0,
-                x: 0.0,
-                dx: 0.0,
-                ..part
-            });
+            self.push(Piece { share: 0.0, x: 0.0, dx: 0.0, ..part });
         } else {
             let x = (p.x + u0 * p.dx).clamp(0.0, width);
             let dx = (p.x + u1 * p.dx).clamp(0.0, width) - x;
-            self.push(Piece {
-                share: (u1 - u0) * p.share,
-                x,
-                dx,
-                ..part
-            });
+            self.push(Piece { share: (u1 - u0) * p.share, x, dx, ..part });
         }
     }
 

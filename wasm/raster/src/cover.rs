@@ -39,19 +39,11 @@ impl Tile {
     }
 
     pub fn place(&self, top: usize) -> Place {
-        Place {
-            top,
-            column: self.columns.first,
-        }
+        Place { top, column: self.columns.first }
     }
 
     pub fn fill(&self, paths: &Paths<'_>) -> Fill {
-        Fill::new(
-            self.path,
-            paths.stops,
-            paths.axis,
-            paths.gradient[self.path],
-        )
+        Fill::new(self.path, paths.stops, paths.axis, paths.gradient[self.path])
     }
 }
 
@@ -116,11 +108,7 @@ impl<const S: usize> Cover<S> {
         self.tiles.clear();
         self.pieces.clear();
         self.masks.clear();
-        let window = Window {
-            top: self.top,
-            width: call.frame.width,
-            subrows: S,
-        };
+        let window = Window { top: self.top, width: call.frame.width, subrows: S };
         let (mut wound, mut stored) = (0, 0);
         for path in 0..call.paths.len() {
             let first = self.pieces.len();
@@ -132,39 +120,20 @@ impl<const S: usize> Cover<S> {
             let (winding, storage) = (wound..wound + width + 1, stored..stored + width);
             (wound, stored) = (winding.end, storage.end);
             let mask = self.read_mask(call, path, columns);
-            self.tiles.push(Tile {
-                path,
-                columns,
-                pieces,
-                winding,
-                storage,
-                mask,
-            });
+            self.tiles.push(Tile { path, columns, pieces, winding, storage, mask });
         }
         self.winding.clear();
         self.winding.resize(wound, [[0.0; ROWS]; S]);
     }
 
     /// Copies a tile's part of its path's clip mask.
-    fn read_mask(
-        &mut self,
-        call: &Call<'_>,
-        path: usize,
-        columns: Columns,
-    ) -> Option<Range<usize>> {
+    fn read_mask(&mut self, call: &Call<'_>, path: usize, columns: Columns) -> Option<Range<usize>> {
         let (width, pixels) = (call.frame.width, call.frame.width * call.frame.height);
         let mask = usize::try_from(call.paths.clip[path]).ok()?;
         let first = self.masks.len();
-        self.masks
-            .resize(first + columns.last - columns.first, [0.0; ROWS]);
+        self.masks.resize(first + columns.last - columns.first, [0.0; ROWS]);
         let image = &call.frame.clips[mask * pixels..][..pixels];
-        transpose::read(
-            image,
-            width,
-            self.top,
-            columns.first,
-            &mut self.masks[first..],
-        );
+        transpose::read(image, width, self.top, columns.first, &mut self.masks[first..]);
         Some(first..self.masks.len())
     }
 
@@ -173,9 +142,7 @@ impl<const S: usize> Cover<S> {
         self.passage_starts.clear();
         for tile in &self.tiles {
             let mut grid = Grid {
-                cells: self.winding[tile.winding.clone()]
-                    .as_flattened_mut()
-                    .as_flattened_mut(),
+                cells: self.winding[tile.winding.clone()].as_flattened_mut().as_flattened_mut(),
                 base: (tile.winding.start * S * ROWS) as u32,
                 columns: tile.columns,
                 shift: S.trailing_zeros(),

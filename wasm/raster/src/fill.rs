@@ -39,19 +39,11 @@ impl Fill {
         let stop = |k: usize| std::array::from_fn(|c| stops[8 * i + 4 * k + c]);
         let (first, last): ([f32; 4], [f32; 4]) = (stop(0), stop(1));
         if !gradient {
-            return Self {
-                first,
-                change: [0.0; 4],
-                axis: None,
-            };
+            return Self { first, change: [0.0; 4], axis: None };
         }
         let a = &axis[4 * i..4 * i + 4];
         let change = std::array::from_fn(|c| last[c] - first[c]);
-        Self {
-            first,
-            change,
-            axis: Some(Axis::new([a[0], a[1]], [a[2] - a[0], a[3] - a[1]])),
-        }
+        Self { first, change, axis: Some(Axis::new([a[0], a[1]], [a[2] - a[0], a[3] - a[1]])) }
     }
 }
 
@@ -59,20 +51,10 @@ impl Axis {
     fn new(start: [f32; 2], delta: [f32; 2]) -> Self {
         let square = delta[0] * delta[0] + delta[1] * delta[1];
         if square < LEAST_AXIS {
-            return Self {
-                start,
-                delta: [0.0; 2],
-                direction: [0.0; 2],
-                offset: 1.0,
-            };
+            return Self { start, delta: [0.0; 2], direction: [0.0; 2], offset: 1.0 };
         }
         let direction = [delta[0] / square, delta[1] / square];
-        Self {
-            start,
-            delta,
-            direction,
-            offset: -(start[0] * direction[0] + start[1] * direction[1]),
-        }
+        Self { start, delta, direction, offset: -(start[0] * direction[0] + start[1] * direction[1]) }
     }
 
     /// Unpadded positions of the pixel centres of a band's first column's lane, and the change from column to column.
@@ -101,12 +83,7 @@ impl Axis {
         }
         // position = q·δ/|δ|², q = pixel − start, δ = end − start.
         let end = [0, 1].map(|k| [ex, ey][k] / square - 2.0 * es * self.direction[k]);
-        [
-            -end[0] - e * self.direction[0],
-            -end[1] - e * self.direction[1],
-            end[0],
-            end[1],
-        ]
+        [-end[0] - e * self.direction[0], -end[1] - e * self.direction[1], end[0], end[1]]
     }
 }
 
@@ -119,11 +96,7 @@ pub struct Moments {
 }
 
 impl Moments {
-    pub const ZERO: Self = Self {
-        e: [0.0; ROWS],
-        ex: [0.0; ROWS],
-        es: [0.0; ROWS],
-    };
+    pub const ZERO: Self = Self { e: [0.0; ROWS], ex: [0.0; ROWS], es: [0.0; ROWS] };
 
     /// Adds one pixel of row `l`, at `x` and `position`.
     #[inline(always)]

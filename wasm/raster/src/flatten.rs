@@ -29,19 +29,14 @@ pub struct Chords {
 /// Flattens every segment at `t = k/n`, `n` by how far the chords may stray from the cubic.
 pub fn flatten(paths: &Paths<'_>) -> Chords {
     let stride = paths.segments * 6;
-    let mut chords = Chords {
-        segments: paths.segments,
-        ..Chords::default()
-    };
+    let mut chords = Chords { segments: paths.segments, ..Chords::default() };
     for ring in paths.points.chunks_exact(stride) {
         let first = chords.x.len();
         for j in 0..paths.segments {
             push_segment(&mut chords, cubic(ring, j));
         }
         let segments = chords.segment_rows[chords.segment_rows.len() - paths.segments..].iter();
-        let rows = segments.fold((f32::MAX, f32::MIN), |all, one| {
-            (all.0.min(one.0), all.1.max(one.1))
-        });
+        let rows = segments.fold((f32::MAX, f32::MIN), |all, one| (all.0.min(one.0), all.1.max(one.1)));
         chords.path_rows.push(rows);
         chords.x.push(chords.x[first]);
         chords.y.push(chords.y[first]);
@@ -87,10 +82,7 @@ fn n_chords(x: [f32; 4], y: [f32; 4]) -> u32 {
         let speed = velocity[0] * velocity[0] + velocity[1] * velocity[1];
         most = most.max(cross * cross / speed.max(STANDSTILL));
     }
-    (most.sqrt() / (8.0 * TOLERANCE))
-        .sqrt()
-        .ceil()
-        .clamp(LEAST_CHORDS, MOST_CHORDS) as u32
+    (most.sqrt() / (8.0 * TOLERANCE)).sqrt().ceil().clamp(LEAST_CHORDS, MOST_CHORDS) as u32
 }
 
 /// Squared speed below which a curve has no direction.

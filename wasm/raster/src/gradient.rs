@@ -66,10 +66,5 @@ fn powers(t: f32) -> [f32; 4] {
 
 /// Sums over powers of `t` turned into sums over the Bernstein weights of the four control points.
 fn bernstein([m0, m1, m2, m3]: [f32; 4]) -> [f32; 4] {
-    [
-        m0 - 3.0 * (m1 - m2) - m3,
-        3.0 * (m1 - 2.0 * m2 + m3),
-        3.0 * (m2 - m3),
-        m3,
-    ]
+    [m0 - 3.0 * (m1 - m2) - m3, 3.0 * (m1 - 2.0 * m2 + m3), 3.0 * (m2 - m3), m3]
 }

@@ -28,9 +28,7 @@ use band::{Band, BandGradient};
 use cover::Call;
 pub use error::Error;
 pub use saturate::Overlap;
-pub use scene::{
-    Checkpoint, Frame, MAX_COORDINATE, MAX_PATHS, MAX_SEGMENTS, MAX_SIDE, Objective, Paths,
-};
+pub use scene::{Checkpoint, Frame, MAX_COORDINATE, MAX_PATHS, MAX_SEGMENTS, MAX_SIDE, Objective, Paths};
 use walk::ROWS;
 
 /// Losses, picture and gradients of one call; shapes as in [`Paths`].
@@ -51,11 +49,7 @@ pub struct Gradients {
 pub fn rasterize(paths: &Paths<'_>, frame: &Frame<'_>, threads: usize) -> Result<Vec<f32>, Error> {
     frame.check()?;
     paths.check(frame)?;
-    let call = Call {
-        paths,
-        frame,
-        chords: &flatten::flatten(paths),
-    };
+    let call = Call { paths, frame, chords: &flatten::flatten(paths) };
     Ok(match frame.subrows {
         1 => rasterize_bands::<1>(&call, threads),
         2 => rasterize_bands::<2>(&call, threads),
@@ -66,9 +60,7 @@ pub fn rasterize(paths: &Paths<'_>, frame: &Frame<'_>, threads: usize) -> Result
 fn rasterize_bands<const S: usize>(call: &Call<'_>, threads: usize) -> Vec<f32> {
     let mut image = vec![0.0; call.frame.width * call.frame.height * 3];
     let bands = image.chunks_mut(ROWS * call.frame.width * 3).enumerate();
-    threads::map_ordered(threads, bands, |band: &mut Band<S>, (i, rows)| {
-        band.rasterize(call, i * ROWS, rows)
-    });
+    threads::map_ordered(threads, bands, |band: &mut Band<S>, (i, rows)| band.rasterize(call, i * ROWS, rows));
     image
 }
 
@@ -85,11 +77,7 @@ pub fn differentiate(
     frame.check()?;
     paths.check(frame)?;
     objective.check(paths.len(), frame)?;
-    let call = Call {
-        paths,
-        frame,
-        chords: &flatten::flatten(paths),
-    };
+    let call = Call { paths, frame, chords: &flatten::flatten(paths) };
     let found = match frame.subrows {
         1 => differentiate_bands::<1>(&call, objective, importance, threads),
         2 => differentiate_bands::<2>(&call, objective, importance, threads),
@@ -118,14 +106,7 @@ fn differentiate_bands<const S: usize>(
 
 /// Coverage of one closed chain of cubics `[3S, 2]`, `[height, width]`, resolved over 4 sub-rows a pixel.
 pub fn coverage(points: &[f32], width: usize, height: usize) -> Result<Vec<f32>, Error> {
-    let frame = Frame {
-        width,
-        height,
-        canvas: [0.0; 3],
-        clips: &[],
-        subrows: 4,
-        quantise: false,
-    };
+    let frame = Frame { width, height, canvas: [0.0; 3], clips: &[], subrows: 4, quantise: false };
     let paths = Paths {
         segments: points.len() / 6,
         points,
@@ -135,31 +116,16 @@ pub fn coverage(points: &[f32], width: usize, height: usize) -> Result<Vec<f32>,
         clip: &[-1],
     };
     let white_on_black = rasterize(&paths, &frame, 1)?;
-    Ok(white_on_black
-        .as_chunks::<3>()
-        .0
-        .iter()
-        .map(|rgb| rgb[0])
-        .collect())
+    Ok(white_on_black.as_chunks::<3>().0.iter().map(|rgb| rgb[0]).collect())
 }
 
 /// How each path lies over itself, `[n]`; `threads` 0 means all cores.
-pub fn overlaps(
-    paths: &Paths<'_>,
-    frame: &Frame<'_>,
-    threads: usize,
-) -> Result<Vec<Overlap>, Error> {
+pub fn overlaps(paths: &Paths<'_>, frame: &Frame<'_>, threads: usize) -> Result<Vec<Overlap>, Error> {
     frame.check()?;
     paths.check(frame)?;
-    let call = Call {
-        paths,
-        frame,
-        chords: &flatten::flatten(paths),
-    };
+    let call = Call { paths, frame, chords: &flatten::flatten(paths) };
     let bands = 0..frame.height.div_ceil(ROWS);
-    let parts = threads::map_ordered(threads, bands, |band: &mut Band<4>, i| {
-        band.overlaps(&call, i * ROWS)
-    });
+    let parts = threads::map_ordered(threads, bands, |band: &mut Band<4>, i| band.overlaps(&call, i * ROWS));
     let mut whole = vec![Overlap::default(); paths.len()];
     for (path, part) in parts.into_iter().flatten() {
         whole[path].covered += part.covered;
@@ -184,12 +150,7 @@ fn sum(paths: &Paths<'_>, image: Vec<f32>, parts: &[BandGradient]) -> Gradients 
         for (loss, share) in whole.losses.iter_mut().zip(&part.losses) {
             *loss += share;
         }
-        for ((&path, fill), points) in part
-            .paths
-            .iter()
-            .zip(&part.fills)
-            .zip(part.points.chunks_exact(stride))
-        {
+        for ((&path, fill), points) in part.paths.iter().zip(&part.fills).zip(part.points.chunks_exact(stride)) {
             add(&mut whole.points[path * stride..], points);
             add(&mut whole.stops[path * 8..], fill.stops.as_flattened());
             add(&mut whole.axis[path * 4..], &fill.axis);

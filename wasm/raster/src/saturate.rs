@@ -48,11 +48,7 @@ pub fn grad_winding<const S: usize>(column: &mut [Lane; S], grad_coverage: &Lane
     for cells in column {
         for l in 0..ROWS {
             let answers = cells[l].abs() <= SATURATED;
-            cells[l] = if answers {
-                grad_coverage[l] * cells[l].signum()
-            } else {
-                0.0
-            };
+            cells[l] = if answers { grad_coverage[l] * cells[l].signum() } else { 0.0 };
         }
     }
 }
@@ -70,10 +66,7 @@ pub struct Overlap {
 
 /// Measures the resolved windings of a tile, of which `height` pixel rows are inside the frame.
 pub fn overlap<const S: usize>(columns: &[[Lane; S]], height: usize) -> Overlap {
-    let cells = columns
-        .as_flattened()
-        .iter()
-        .flat_map(|lane| &lane[..height]);
+    let cells = columns.as_flattened().iter().flat_map(|lane| &lane[..height]);
     let main = cells.clone().map(|&w| f64::from(w)).sum::<f64>().signum();
     let mut found = Overlap::default();
     for &w in cells {

@@ -83,11 +83,7 @@ impl Paths<'_> {
         length("stops", self.stops, n * 8)?;
         length("axis", self.axis, n * 4)?;
         if self.clip.len() != n {
-            return Err(Error::Length {
-                name: "clip",
-                got: self.clip.len(),
-                expected: n,
-            });
+            return Err(Error::Length { name: "clip", got: self.clip.len(), expected: n });
         }
         within("points", self.points, MAX_COORDINATE)?;
         within("stops", self.stops, MAX_COLOUR)?;
@@ -106,19 +102,10 @@ impl Frame<'_> {
         size("width", self.width, 1, MAX_SIDE)?;
         size("height", self.height, 1, MAX_SIDE)?;
         if ![1, 2, 4].contains(&self.subrows) {
-            return Err(Error::Size {
-                name: "subrows (1, 2 or 4)",
-                got: self.subrows,
-                least: 1,
-                most: 4,
-            });
+            return Err(Error::Size { name: "subrows (1, 2 or 4)", got: self.subrows, least: 1, most: 4 });
         }
         let pixels = self.width * self.height;
-        length(
-            "clips",
-            self.clips,
-            self.clips.len().div_ceil(pixels) * pixels,
-        )?;
+        length("clips", self.clips, self.clips.len().div_ceil(pixels) * pixels)?;
         within("canvas", &self.canvas, MAX_COLOUR)?;
         within("clips", self.clips, MAX_COLOUR)
     }
@@ -138,10 +125,7 @@ impl Objective<'_> {
         let mut after = 0;
         for checkpoint in checkpoints {
             if checkpoint.below < after || checkpoint.below > n_paths {
-                return Err(Error::Order {
-                    got: checkpoint.below,
-                    after,
-                });
+                return Err(Error::Order { got: checkpoint.below, after });
             }
             after = checkpoint.below;
             length("target", checkpoint.target, pixels * 3)?;
@@ -163,42 +147,19 @@ impl Objective<'_> {
 }
 
 fn size(name: &'static str, got: usize, least: usize, most: usize) -> Result<(), Error> {
-    if (least..=most).contains(&got) {
-        Ok(())
-    } else {
-        Err(Error::Size {
-            name,
-            got,
-            least,
-            most,
-        })
-    }
+    if (least..=most).contains(&got) { Ok(()) } else { Err(Error::Size { name, got, least, most }) }
 }
 
 fn length(name: &'static str, values: &[f32], expected: usize) -> Result<(), Error> {
-    if values.len() == expected {
-        Ok(())
-    } else {
-        Err(Error::Length {
-            name,
-            got: values.len(),
-            expected,
-        })
-    }
+    if values.len() == expected { Ok(()) } else { Err(Error::Length { name, got: values.len(), expected }) }
 }
 
 fn within(name: &'static str, values: &[f32], limit: f32) -> Result<(), Error> {
     // A reduction without early exit is vectorised; NaN fails the comparison and is found by the search below.
-    let fine = values
-        .iter()
-        .fold(true, |fine, v| fine & (v.abs() <= limit));
+    let fine = values.iter().fold(true, |fine, v| fine & (v.abs() <= limit));
     if fine {
         return Ok(());
     }
-    let got = values
-        .iter()
-        .copied()
-        .find(|v| v.is_nan() || v.abs() > limit)
-        .unwrap_or(f32::NAN);
+    let got = values.iter().copied().find(|v| v.is_nan() || v.abs() > limit).unwrap_or(f32::NAN);
     Err(Error::Value { name, got, limit })
 }

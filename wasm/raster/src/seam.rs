@@ -17,23 +17,11 @@ pub struct Seam {
 
 impl Seam {
     /// Compares a band of the picture with a checkpoint's target and returns its share of the loss.
-    pub fn observe(
-        &mut self,
-        checkpoint: &Checkpoint<'_>,
-        picture: &[Rgb],
-        frame: &Frame<'_>,
-        top: usize,
-    ) -> f64 {
+    pub fn observe(&mut self, checkpoint: &Checkpoint<'_>, picture: &[Rgb], frame: &Frame<'_>, top: usize) -> f64 {
         let scale = 1.0 / (3 * frame.width * frame.height) as f32;
         self.below = checkpoint.below;
         self.clear(frame.width);
-        read(
-            checkpoint.target,
-            3 * frame.width,
-            top,
-            0,
-            self.grad.as_flattened_mut(),
-        );
+        read(checkpoint.target, 3 * frame.width, top, 0, self.grad.as_flattened_mut());
         read(checkpoint.weight, frame.width, top, 0, &mut self.curvature);
         let mut sums = [0.0_f64; ROWS];
         for ((g, q), c) in self.grad.iter_mut().zip(&mut self.curvature).zip(picture) {
@@ -55,13 +43,7 @@ impl Seam {
     pub fn receive(&mut self, grad_image: &[f32], n_paths: usize, frame: &Frame<'_>, top: usize) {
         self.below = n_paths;
         self.clear(frame.width);
-        read(
-            grad_image,
-            3 * frame.width,
-            top,
-            0,
-            self.grad.as_flattened_mut(),
-        );
+        read(grad_image, 3 * frame.width, top, 0, self.grad.as_flattened_mut());
     }
 
     fn clear(&mut self, width: usize) {
@@ -73,11 +55,7 @@ impl Seam {
 
     /// Adds this checkpoint's gradient and curvature to what comes down from above.
     pub fn join(&self, grad: &mut [Rgb], curvature: &mut [Lane]) {
-        for (g, joining) in grad
-            .as_flattened_mut()
-            .iter_mut()
-            .zip(self.grad.as_flattened())
-        {
+        for (g, joining) in grad.as_flattened_mut().iter_mut().zip(self.grad.as_flattened()) {
             for l in 0..ROWS {
                 g[l] += joining[l];
             }

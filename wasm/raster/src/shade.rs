@@ -27,26 +27,14 @@ impl<const LINEAR: bool> Shade<LINEAR> {
     /// The fill at a tile's first column.
     pub fn new(fill: &Fill, place: Place) -> Self {
         let still = ([0.0; ROWS], 0.0);
-        let (position, step) = fill
-            .axis
-            .as_ref()
-            .map_or(still, |axis| axis.ramp(place.top, place.column));
-        Self {
-            first: fill.first,
-            change: fill.change,
-            position,
-            step,
-        }
+        let (position, step) = fill.axis.as_ref().map_or(still, |axis| axis.ramp(place.top, place.column));
+        Self { first: fill.first, change: fill.change, position, step }
     }
 
     /// Padded position of row `l` of this column.
     #[inline(always)]
     pub fn position(&self, l: usize) -> f32 {
-        if LINEAR {
-            self.position[l].clamp(0.0, 1.0)
-        } else {
-            0.0
-        }
+        if LINEAR { self.position[l].clamp(0.0, 1.0) } else { 0.0 }
     }
 
     /// Whether the position of row `l` moves with the axis.
@@ -58,11 +46,7 @@ impl<const LINEAR: bool> Shade<LINEAR> {
     /// Channel `k` (3: opacity) at a padded position.
     #[inline(always)]
     pub fn channel(&self, k: usize, position: f32) -> f32 {
-        if LINEAR {
-            self.first[k] + position * self.change[k]
-        } else {
-            self.first[k]
-        }
+        if LINEAR { self.first[k] + position * self.change[k] } else { self.first[k] }
     }
 
     /// Change of channel `k` from the first stop to the last.

@@ -17,14 +17,7 @@ impl Solid {
     fn new(points: Vec<f32>, segments: usize) -> Self {
         let n = points.len() / (6 * segments);
         let stops = [0.0, 0.0, 0.0, 1.0].repeat(2 * n);
-        Self {
-            points,
-            segments,
-            stops,
-            axis: vec![0.0; 4 * n],
-            gradient: vec![false; n],
-            clip: vec![-1; n],
-        }
+        Self { points, segments, stops, axis: vec![0.0; 4 * n], gradient: vec![false; n], clip: vec![-1; n] }
     }
 
     fn paths(&self) -> Paths<'_> {
@@ -40,28 +33,15 @@ impl Solid {
 }
 
 fn frame(width: usize, height: usize, subrows: usize) -> Frame<'static> {
-    Frame {
-        width,
-        height,
-        canvas: [1.0; 3],
-        clips: &[],
-        subrows,
-        quantise: false,
-    }
+    Frame { width, height, canvas: [1.0; 3], clips: &[], subrows, quantise: false }
 }
 
 /// A polygon as straight cubics, handles at the thirds.
 fn polygon(corners: &[[f32; 2]]) -> Vec<f32> {
     let following = corners.iter().cycle().skip(1);
-    let side = |(a, b): (&[f32; 2], &[f32; 2])| {
-        [0.0, 1.0 / 3.0, 2.0 / 3.0].map(|t| [0, 1].map(|k| a[k] + t * (b[k] - a[k])))
-    };
-    corners
-        .iter()
-        .zip(following)
-        .flat_map(side)
-        .flatten()
-        .collect()
+    let side =
+        |(a, b): (&[f32; 2], &[f32; 2])| [0.0, 1.0 / 3.0, 2.0 / 3.0].map(|t| [0, 1].map(|k| a[k] + t * (b[k] - a[k])));
+    corners.iter().zip(following).flat_map(side).flatten().collect()
 }
 
 /// Covered area of black paint on white.
@@ -121,15 +101,7 @@ proptest! {
 #[test]
 fn rows_below_the_frame_are_not_seen() {
     // 20 rows: the second band is a quarter full; a square from row 10 to row 90 covers 10·8 pixels of the frame.
-    assert!(
-        (area(
-            &[[2.0, 10.0], [10.0, 10.0], [10.0, 90.0], [2.0, 90.0]],
-            12,
-            20
-        ) - 80.0)
-            .abs()
-            < 1e-4
-    );
+    assert!((area(&[[2.0, 10.0], [10.0, 10.0], [10.0, 90.0], [2.0, 90.0]], 12, 20) - 80.0).abs() < 1e-4);
 }
 
 #[test]
@@ -141,15 +113,8 @@ fn zero_area_covers_nothing() {
 #[test]
 fn refusals_name_value_and_limit() {
     let solid = Solid::new(polygon(&[[0.0, 0.0], [1e6, 0.0], [0.0, 9.0]]), 3);
-    let refused = rasterize(&solid.paths(), &frame(8, 8, 1), 1)
-        .unwrap_err()
-        .to_string();
-    assert_eq!(
-        refused,
-        "points holds 333333.34; values must be finite and within ±65536."
-    );
-    let refused = rasterize(&solid.paths(), &frame(0, 8, 1), 1)
-        .unwrap_err()
-        .to_string();
+    let refused = rasterize(&solid.paths(), &frame(8, 8, 1), 1).unwrap_err().to_string();
+    assert_eq!(refused, "points holds 333333.34; values must be finite and within ±65536.");
+    let refused = rasterize(&solid.paths(), &frame(0, 8, 1), 1).unwrap_err().to_string();
     assert_eq!(refused, "width is 0; the limits are 1 to 4096.");
 }

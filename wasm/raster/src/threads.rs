@@ -42,11 +42,7 @@ fn take<I: Iterator>(queue: &Mutex<I>) -> Option<I::Item> {
 /// Zero means one thread for every core.
 fn count(threads: usize) -> usize {
     let cores = thread::available_parallelism().map_or(1, NonZero::get);
-    if threads == 0 {
-        cores
-    } else {
-        threads.min(MOST_THREADS)
-    }
+    if threads == 0 { cores } else { threads.min(MOST_THREADS) }
 }
 
 /// More threads than this are a mistake of the caller, not a machine.

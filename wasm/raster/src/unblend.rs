@@ -34,11 +34,7 @@ fn unblend_with<const S: usize, const LINEAR: bool>(
     let (mut sums, mut last) = ([[0.0_f32; ROWS]; 4], [[0.0_f32; ROWS]; 4]);
     let mut moments = Moments::ZERO;
     let mut x = place.column as f32 + 0.5;
-    let buffers = columns
-        .winding
-        .iter_mut()
-        .zip(columns.below)
-        .zip(columns.grad);
+    let buffers = columns.winding.iter_mut().zip(columns.below).zip(columns.grad);
     for (i, ((winding, below), g)) in buffers.enumerate() {
         let mask = columns.mask.map_or([1.0; ROWS], |mask| mask[i]);
         let covered = coverage(winding);
@@ -73,27 +69,15 @@ fn unblend_with<const S: usize, const LINEAR: bool>(
     }
     let (sums, last) = (sums.map(total), last.map(total));
     let first = std::array::from_fn(|k| sums[k] - last[k]);
-    let axis = fill
-        .axis
-        .as_ref()
-        .map_or([0.0; 4], |axis| axis.gradient(&moments, place.top));
-    FillGradient {
-        stops: [first, last],
-        axis,
-        importance: 0.0,
-    }
+    let axis = fill.axis.as_ref().map_or([0.0; 4], |axis| axis.gradient(&moments, place.top));
+    FillGradient { stops: [first, last], axis, importance: 0.0 }
 }
 
 /// Exact loss increase if the tile were removed, from columns as `unblend` gets them.
 ///
 /// With `δ = α(B − c)` it is `Σ g·δ + q·|δ|²`, where the curvature `q = ½·∂²loss/∂C²` is the weight of a pixel times the
 /// squared transmittance of what lies above; it is passed on: `q ← q·(1 − α)²`.
-pub fn removal<const S: usize>(
-    fill: &Fill,
-    place: Place,
-    columns: &Columns<'_, S>,
-    curvature: &mut [Lane],
-) -> f64 {
+pub fn removal<const S: usize>(fill: &Fill, place: Place, columns: &Columns<'_, S>, curvature: &mut [Lane]) -> f64 {
     let mut shade = Shade::<true>::new(fill, place);
     let mut sums = [0.0_f64; ROWS];
     for (i, q) in curvature.iter_mut().enumerate() {

@@ -37,44 +37,26 @@ impl Grid<'_> {
     /// A passage spanning `d` rows at mean distance `m` from its cell's left side covers `d·(1 − m)` of the cell and all `d`
     /// of the cells to the right of it, hence `d·m` more from the next cell on.
     pub fn walk(&mut self, p: &Piece, passages: &mut Vec<Passage>) {
-        let (right, bottom) = (
-            (self.columns.last - self.columns.first) as i32 - 1,
-            ((ROWS as i32) << self.shift) - 1,
-        );
+        let (right, bottom) = ((self.columns.last - self.columns.first) as i32 - 1, ((ROWS as i32) << self.shift) - 1);
         let x = p.x - self.columns.first as f32;
         let (mut across, mut down) = (Axis::new(x, p.dx), Axis::new(p.y, p.dy));
         let next_column = ROWS << self.shift;
         let mut start = 0.0_f32;
-        passages.extend(
-            (0..=across.crossings + down.crossings)
-                .rev()
-                .map(|remaining| {
-                    let end = if remaining == 0 {
-                        1.0
-                    } else {
-                        across.next.min(down.next).clamp(start, 1.0)
-                    };
-                    let (column, row) = (
-                        across.cell.clamp(0, right),
-                        down.cell.clamp(0, bottom) as usize,
-                    );
-                    let subrow = row & ((1 << self.shift) - 1);
-                    let cell =
-                        (((column as usize) << self.shift) + subrow) * ROWS + (row >> self.shift);
-                    let d = (end - start) * p.dy;
-                    let m = (x + 0.5 * (start + end) * p.dx - column as f32).clamp(0.0, 1.0);
-                    self.cells[cell] += d - d * m;
-                    self.cells[cell + next_column] += d * m;
-                    start = end;
-                    let sideways = across.next <= down.next;
-                    across.advance(sideways);
-                    down.advance(!sideways);
-                    Passage {
-                        cell: self.base + cell as u32,
-                        end,
-                    }
-                }),
-        );
+        passages.extend((0..=across.crossings + down.crossings).rev().map(|remaining| {
+            let end = if remaining == 0 { 1.0 } else { across.next.min(down.next).clamp(start, 1.0) };
+            let (column, row) = (across.cell.clamp(0, right), down.cell.clamp(0, bottom) as usize);
+            let subrow = row & ((1 << self.shift) - 1);
+            let cell = (((column as usize) << self.shift) + subrow) * ROWS + (row >> self.shift);
+            let d = (end - start) * p.dy;
+            let m = (x + 0.5 * (start + end) * p.dx - column as f32).clamp(0.0, 1.0);
+            self.cells[cell] += d - d * m;
+            self.cells[cell + next_column] += d * m;
+            start = end;
+            let sideways = across.next <= down.next;
+            across.advance(sideways);
+            down.advance(!sideways);
+            Passage { cell: self.base + cell as u32, end }
+        }));
     }
 }
 
@@ -96,13 +78,7 @@ const STANDSTILL: f32 = 1e-6;
 impl Axis {
     fn new(origin: f32, delta: f32) -> Self {
         if delta.abs() < STANDSTILL {
-            return Self {
-                cell: origin.floor() as i32,
-                step: 0,
-                crossings: 0,
-                next: f32::INFINITY,
-                pitch: 0.0,
-            };
+            return Self { cell: origin.floor() as i32, step: 0, crossings: 0, next: f32::INFINITY, pitch: 0.0 };
         }
         // Seen along the direction of travel: an origin on a grid line belongs to the cell ahead, an end to the cell behind.
         let sign = delta.signum();
@@ -110,18 +86,8 @@ impl Axis {
         let ahead = from.floor();
         let crossings = (to.ceil() - 1.0 - ahead).max(0.0) as u32;
         let pitch = 1.0 / delta.abs();
-        let cell = if delta > 0.0 {
-            ahead as i32
-        } else {
-            -(ahead as i32) - 1
-        };
-        Self {
-            cell,
-            step: sign as i32,
-            crossings,
-            next: (ahead + 1.0 - from) * pitch,
-            pitch,
-        }
+        let cell = if delta > 0.0 { ahead as i32 } else { -(ahead as i32) - 1 };
+        Self { cell, step: sign as i32, crossings, next: (ahead + 1.0 - from) * pitch, pitch }
     }
 
     /// Branches here would be mispredicted at every other cell.

@@ -2,8 +2,8 @@
 
 use numpy::ndarray::{Dimension, IntoDimension};
 use numpy::{
-    Element, IntoPyArray, PyArray, PyArrayMethods, PyReadonlyArray, PyReadonlyArray1,
-    PyReadonlyArray2, PyReadonlyArray3, PyUntypedArrayMethods,
+    Element, IntoPyArray, PyArray, PyArrayMethods, PyReadonlyArray, PyReadonlyArray1, PyReadonlyArray2,
+    PyReadonlyArray3, PyUntypedArrayMethods,
 };
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -36,10 +36,7 @@ impl Scene<'_> {
         shape("axis", &self.axis, [Some(n), Some(4)])?;
         shape("clip", &self.clip, [Some(n)])?;
         if self.gradient.len() != n {
-            return Err(PyValueError::new_err(format!(
-                "gradient has {} values; expected {n}.",
-                self.gradient.len()
-            )));
+            return Err(PyValueError::new_err(format!("gradient has {} values; expected {n}.", self.gradient.len())));
         }
         Ok(Paths {
             segments: controls / 3,
@@ -60,14 +57,7 @@ impl Scene<'_> {
         shape("canvas", &self.canvas, [Some(3)])?;
         let c = flat("canvas", &self.canvas)?;
         let clips = flat("clips", &self.clips)?;
-        Ok(Frame {
-            width,
-            height,
-            canvas: [c[0], c[1], c[2]],
-            clips,
-            subrows: self.subrows,
-            quantise: self.quantise,
-        })
+        Ok(Frame { width, height, canvas: [c[0], c[1], c[2]], clips, subrows: self.subrows, quantise: self.quantise })
     }
 }
 
@@ -98,15 +88,10 @@ where
     values.into_pyarray(py).reshape(shape)
 }
 
-pub fn flat<'a, T: Element, D: Dimension>(
-    name: &str,
-    array: &'a PyReadonlyArray<'_, T, D>,
-) -> PyResult<&'a [T]> {
-    array.as_slice().map_err(|_| {
-        PyValueError::new_err(format!(
-            "{name} is not C-contiguous; pass numpy.ascontiguousarray of it."
-        ))
-    })
+pub fn flat<'a, T: Element, D: Dimension>(name: &str, array: &'a PyReadonlyArray<'_, T, D>) -> PyResult<&'a [T]> {
+    array
+        .as_slice()
+        .map_err(|_| PyValueError::new_err(format!("{name} is not C-contiguous; pass numpy.ascontiguousarray of it.")))
 }
 
 pub fn shape<T: Element, D: Dimension, const N: usize>(
@@ -115,20 +100,12 @@ pub fn shape<T: Element, D: Dimension, const N: usize>(
     expected: [Option<usize>; N],
 ) -> PyResult<[usize; N]> {
     let got = array.shape();
-    let fits = got.len() == N
-        && got
-            .iter()
-            .zip(expected)
-            .all(|(g, e)| e.is_none_or(|e| *g == e));
+    let fits = got.len() == N && got.iter().zip(expected).all(|(g, e)| e.is_none_or(|e| *g == e));
     match <[usize; N]>::try_from(got) {
         Ok(sizes) if fits => Ok(sizes),
         _ => {
-            let wanted = expected
-                .map(|e| e.map_or("any".to_owned(), |e| e.to_string()))
-                .join(", ");
-            Err(PyValueError::new_err(format!(
-                "{name} has shape {got:?}; expected [{wanted}]."
-            )))
+            let wanted = expected.map(|e| e.map_or("any".to_owned(), |e| e.to_string())).join(", ");
+            Err(PyValueError::new_err(format!("{name} has shape {got:?}; expected [{wanted}].")))
         }
     }
 }
