@@ -19,6 +19,7 @@ const CHECKS = [
   { name: 'Rust: format', run: cargo('fmt', '--all', '--check'), when: () => succeeds('cargo', ['fmt', '--version']) },
   { name: 'Rust: lint', run: cargo('clippy', '--workspace', '--all-targets', '--quiet', '--', '-D', 'warnings'), when: hasClippy },
   { name: 'Rust: tests', run: cargo('test', '--quiet', '-p', 'vectortalker-geometry', '-p', 'vectortalker-raster') },
+  { name: 'Python: format', run: python('ruff', 'format', '--check', 'backend', 'tests', 'scripts') },
   { name: 'Python: lint', run: python('ruff', 'check', 'backend', 'tests', 'scripts') },
   { name: 'Python: types', run: python('pyright', '--project', 'backend') },
   { name: 'Python: tests', run: python('pytest', 'tests', '-q') },

@@ -34,19 +34,14 @@ def write(
 
 def decoded(path: Path) -> list[np.ndarray]:
     with av.open(path) as container:
-        return [
-            frame.to_ndarray(format="rgb24").astype(int)
-            for frame in container.decode(video=0)
-        ]
+        return [frame.to_ndarray(format="rgb24").astype(int) for frame in container.decode(video=0)]
 
 
 @pytest.fixture
 def tone(tmp_path: Path) -> Path:
     """Half a second of 440 Hz, mono."""
     rate = 16000
-    samples = (8000 * np.sin(np.arange(rate // 2) / rate * 440 * 2 * np.pi)).astype(
-        "<i2"
-    )
+    samples = (8000 * np.sin(np.arange(rate // 2) / rate * 440 * 2 * np.pi)).astype("<i2")
     with wave.open(str(tmp_path / "tone.wav"), "wb") as file:
         file.setnchannels(1)
         file.setsampwidth(2)
@@ -59,9 +54,7 @@ def tone(tmp_path: Path) -> Path:
 def test_video_holds_every_frame_and_they_move(tmp_path: Path, ending: str) -> None:
     frames = decoded(write(tmp_path / f"out{ending}"))
     assert [frame.shape for frame in frames] == [(96, 76, 3)] * N_FRAMES
-    assert all(
-        (np.abs(a - b).max(axis=2) > 24).mean() > 0.001 for a, b in pairwise(frames)
-    )
+    assert all((np.abs(a - b).max(axis=2) > 24).mean() > 0.001 for a, b in pairwise(frames))
 
 
 def test_mp4_is_for_streaming(tmp_path: Path) -> None:
@@ -74,9 +67,7 @@ def test_sound_is_muxed(tmp_path: Path, tone: Path, ending: str, codec: str) -> 
     with av.open(write(tmp_path / f"out{ending}", audio=tone)) as container:
         stream = container.streams.audio[0]
         assert stream.codec_context.name == codec
-        seconds = sum(
-            frame.samples / frame.sample_rate for frame in container.decode(audio=0)
-        )
+        seconds = sum(frame.samples / frame.sample_rate for frame in container.decode(audio=0))
     assert 0.5 <= seconds < 0.6
 
 
@@ -107,9 +98,7 @@ def test_animated_svg_has_its_three_groups_and_names(tmp_path: Path) -> None:
 
 def test_animations_of_the_svg_are_well_formed(tmp_path: Path) -> None:
     root = ElementTree.parse(write(tmp_path / "out.svg")).getroot()
-    animations = [
-        element for element in root.iter() if element.tag.startswith(f"{SVG}animate")
-    ]
+    animations = [element for element in root.iter() if element.tag.startswith(f"{SVG}animate")]
     assert {element.get("attributeName") for element in animations} >= {
         "d",
         "transform",
@@ -144,9 +133,7 @@ def test_page_carries_svg_and_sound(tmp_path: Path, tone: Path) -> None:
         ("out.mp4", Options(size=5)),
     ],
 )
-def test_unsupported_options_are_refused(
-    tmp_path: Path, name: str, options: Options
-) -> None:
+def test_unsupported_options_are_refused(tmp_path: Path, name: str, options: Options) -> None:
     with pytest.raises(VectorTalkerError) as error:
         write(tmp_path / name, options)
     assert error.value.code == "bad_option"

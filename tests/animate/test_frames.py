@@ -60,15 +60,10 @@ def test_rest_pose_is_the_rest_frame(rigged: RiggedScene) -> None:
 
 
 def test_frames_do_not_depend_on_those_before(rigged: RiggedScene) -> None:
-    frames = [
-        frame_points(rigged, vertices)
-        for vertices in vertices_at(rigged, track(), np.array([0.1, 0.5, 0.9]))
-    ]
+    frames = [frame_points(rigged, vertices) for vertices in vertices_at(rigged, track(), np.array([0.1, 0.5, 0.9]))]
     renderer = FrameRenderer(rigged.drawing, SIZE)
     for points in [*frames, frames[0]]:
-        assert np.array_equal(
-            renderer.render(points), render_frame(rigged.drawing, points, SIZE)
-        )
+        assert np.array_equal(renderer.render(points), render_frame(rigged.drawing, points, SIZE))
 
 
 def test_opaque_layers_hide_the_background_in_every_frame(rigged: RiggedScene) -> None:
@@ -77,10 +72,7 @@ def test_opaque_layers_hide_the_background_in_every_frame(rigged: RiggedScene) -
     for vertices in vertices_at(rigged, track(), np.linspace(0, 1, 9)):
         points = frame_points(rigged, vertices)
         x, y = (points[lips[0] : lips[1]].mean(axis=0) * 2).astype(int)
-        magenta, green = (
-            render_frame(rigged.drawing, points, SIZE, colour)
-            for colour in ("#ff00ff", "#00ff00")
-        )
+        magenta, green = (render_frame(rigged.drawing, points, SIZE, colour) for colour in ("#ff00ff", "#00ff00"))
         assert np.array_equal(magenta[y, x], green[y, x])
 
 
