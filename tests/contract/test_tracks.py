@@ -128,10 +128,10 @@ def test_csv_with_a_missing_row_is_resampled() -> None:
 def test_sample_is_linear_between_frames_and_still_outside() -> None:
     landmarks = [[(0.0, 0.0)] * 68, [(1.0, -2.0)] * 68]
     read = Track(duration=0.2, fps=10, articulators={"jaw": [0, 1]}, landmarks=landmarks)
-    assert sample(read, 0.025).articulators == {"jaw": pytest.approx(0.25)}
+    assert sample(read, 0.025).articulators == {"jaw": pytest.approx(0.25), "neutral": 1}
     assert sample(read, 0.025).offsets == [(pytest.approx(0.25), pytest.approx(-0.5))] * 68
     assert sample(read, -1) == sample(read, 0)
-    assert sample(read, 99).articulators == {"jaw": 1}
+    assert sample(read, 99).articulators == {"jaw": 1, "neutral": 1}
 
 
 @settings(max_examples=300, deadline=None)

@@ -65,7 +65,7 @@ def track_from_blocks(blocks: list[Block], loudness: NDArray[np.float64], option
     channels = dict(zip(CHANNELS, curves.T, strict=True)) | _scaled(motion(loudness, is_silent, options.seed), style)
     articulators = {
         channel: (curve * _gain(channel, options)).round(DECIMALS).tolist() for channel, curve in channels.items()
-    }
+    } | {"neutral": [1.0] * n_frames}
     data = {
         "visemes": [_wire(block) for block in blocks],
         "tier": "audio" if options.transcript is None else "transcript",

@@ -89,6 +89,7 @@ def _track(cues: list[Cue], end: float, name: str) -> Track:
     channels = {
         channel: np.interp(times, knots, values[:, column]).round(4).tolist() for column, channel in enumerate(CHANNELS)
     }
+    channels["neutral"] = [1.0] * n_frames  # shapes are those of a mouth that rests closed
     return Track(name=name, duration=n_frames / FPS, fps=FPS, articulators=channels)
 
 

@@ -8,7 +8,7 @@ from vectortalker.schema import OffsetXy, Pose, Track
 def sample(track: Track, time: float) -> Pose:
     """Linear between frames, as the warp is in the landmarks; before the first and after the last frame, that frame.
 
-    Frame i is at i / fps seconds.
+    Frame i is at i / fps seconds. Landmarks are offsets from a neutral face, so they come with the channel `neutral`.
     """
     position = max(0.0, time * track.fps)
     index, share = int(position), position % 1
@@ -23,7 +23,7 @@ def sample(track: Track, time: float) -> Pose:
     offsets: list[OffsetXy] = [
         (_mixed(x0, x1, share), _mixed(y0, y1, share)) for (x0, y0), (x1, y1) in zip(before, after, strict=True)
     ]
-    return Pose(articulators=articulators, offsets=offsets)
+    return Pose(articulators={"neutral": 1.0} | articulators, offsets=offsets)
 
 
 def _mixed(before: float, after: float, share: float) -> float:

@@ -316,6 +316,20 @@ fn zero_pose_is_rest_bit_for_bit() {
     assert!(warped(&rig, &vertices).is_empty());
 }
 
+/// Closed form: the middle pair of inner lips meets, and the jaw then opens as far as that of a mouth at rest closed.
+#[test]
+fn neutral_closes_a_mouth_that_rests_open() {
+    let rig = rig_of(face(14.0), &blobs(Layer::Fore), Options::default());
+    let rest = pose_of(&rig, &[]);
+    assert!(rest[66].y - rest[62].y > 10.0, "the source's mouth is open");
+    let neutral = pose_of(&rig, &[(Channel::Neutral, 1.0)]);
+    assert!((neutral[66].y - neutral[62].y).abs() < 1e-9);
+    assert_eq!(neutral[60], rest[60], "corners stay");
+    let spoken = pose_of(&rig, &[(Channel::Neutral, 1.0), (Channel::Jaw, 0.2)]);
+    let opened = pose_of(&rig, &[(Channel::Jaw, 0.2)]);
+    assert!(spoken[66].y < opened[66].y, "a track opens the mouth from closed, not from its rest");
+}
+
 #[test]
 fn faces_without_extent_are_refused() {
     let scene = SceneGeometry { width: SIZE, height: SIZE, points: &[], segments: &[], layers: &[] };

@@ -26,6 +26,11 @@ describe('poseAt', () => {
     expect(poseAt(TRACK, 9).articulators.jaw).toBe(1);
     expect(poseAt(TRACK, 9).offsets?.[0]).toEqual([0.5, 1]);
   });
+
+  it('starts from a neutral face where landmarks are given, from rest where not', () => {
+    expect(poseAt(TRACK, 0.25).articulators.neutral).toBe(1);
+    expect(poseAt({ ...TRACK, landmarks: null }, 0.25).articulators.neutral).toBeUndefined();
+  });
 });
 
 describe('a track on top of a pose', () => {

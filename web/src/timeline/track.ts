@@ -5,11 +5,13 @@ import { N_LANDMARKS } from '../face/ibug';
 import { add, type Xy } from '../face/vector';
 import { offsetsOf } from '../store/edit';
 
-/** The track's pose at `timeSeconds`, linear between frames, held at both ends. */
+/** The track's pose at `timeSeconds`, linear between frames, held at both ends. Landmarks are offsets from a neutral face. */
 export function poseAt(track: Track, timeSeconds: number): Pose {
   const frame = timeSeconds * track.fps;
-  const articulators = Object.entries(track.articulators ?? {}).map(([name, values]) => [name, valueAt(values, frame)] as const);
-  return { articulators: Object.fromEntries(articulators), offsets: track.landmarks?.length ? offsetsAt(track.landmarks, frame) : null };
+  const channels = Object.entries(track.articulators ?? {}).map(([name, values]) => [name, valueAt(values, frame)] as const);
+  const articulators = Object.fromEntries(channels);
+  if (!track.landmarks?.length) return { articulators, offsets: null };
+  return { articulators: { neutral: 1, ...articulators }, offsets: offsetsAt(track.landmarks, frame) };
 }
 
 /** Two poses on top of each other; articulators stay within their ranges. */

@@ -29,9 +29,11 @@ pub enum Channel {
     Pitch,
     /// Degrees; positive tilts clockwise on screen.
     Roll,
+    /// Share of the way from the portrait's rest to a neutral face, whose lips are closed: where tracks start from.
+    Neutral,
 }
 
-pub const N_CHANNELS: usize = 17;
+pub const N_CHANNELS: usize = 18;
 
 /// Name, least and greatest value of each channel, in the order of `Channel`.
 pub const CHANNELS: [(&str, f64, f64); N_CHANNELS] = [
@@ -52,6 +54,7 @@ pub const CHANNELS: [(&str, f64, f64); N_CHANNELS] = [
     ("yaw", -25.0, 25.0),
     ("pitch", -15.0, 15.0),
     ("roll", -30.0, 30.0),
+    ("neutral", 0.0, 1.0),
 ];
 
 /// Articulator values and landmark offsets (outer-eye distances, from rest); both add up.

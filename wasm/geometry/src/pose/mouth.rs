@@ -41,8 +41,10 @@ pub fn articulate(points: &mut Landmarks, rest: &Landmarks, face: &Face, pose: &
     let width = face.mouth_width;
     let centre = rest[48].lerp(rest[54], 0.5);
     let jaw = pose.value(Channel::Jaw);
+    let neutral = pose.value(Channel::Neutral);
     let rest_gape = (rest[66] - rest[62]).dot(face.down).max(0.0) / width;
-    let drop = (WIDEST_GAPE - rest_gape).max(LEAST_DROP) * jaw;
+    let drop = (WIDEST_GAPE - rest_gape * (1.0 - neutral)).max(LEAST_DROP) * jaw;
+    join_lips(points, neutral, Point::ZERO);
     let smile = pose.value(Channel::Smile);
     let spread = pose.value(Channel::Width);
     let stretch = spread * if spread > 0.0 { WIDEN } else { NARROW }
@@ -73,22 +75,22 @@ pub fn articulate(points: &mut Landmarks, rest: &Landmarks, face: &Face, pose: &
     for point in &mut points[31..36] {
         *point += face.down * (-0.15 * UPPER_RAISE * pose.value(Channel::UpperRaise) * width);
     }
-    press_lips(points, face, pose.value(Channel::Press));
+    let press = pose.value(Channel::Press);
+    join_lips(points, press, face.down * (PRESS_THIN * press * width));
 }
 
-/// Brings the inner lips together by `press` and the outer lips with them, a little thinner.
-fn press_lips(points: &mut Landmarks, face: &Face, press: f64) {
-    if press <= 0.0 {
+/// Brings the inner lips together by `share` and the outer lips with them, each lip thinner by `thin`.
+fn join_lips(points: &mut Landmarks, share: f64, thin: Point) {
+    if share <= 0.0 {
         return;
     }
     let mut shifts = [(Point::ZERO, Point::ZERO); 3];
     for (shift, (upper, lower)) in shifts.iter_mut().zip(Opening::Mouth.pairs()) {
         let meeting = points[upper].lerp(points[lower], MEETING);
-        *shift = ((meeting - points[upper]) * press, (meeting - points[lower]) * press);
-        points[upper] = points[upper].lerp(meeting, press);
-        points[lower] = points[lower].lerp(meeting, press);
+        *shift = ((meeting - points[upper]) * share, (meeting - points[lower]) * share);
+        points[upper] = points[upper].lerp(meeting, share);
+        points[lower] = points[lower].lerp(meeting, share);
     }
-    let thin = face.down * (PRESS_THIN * press * face.mouth_width);
     for (upper, lower, pair) in LIP_FOLLOWERS {
         points[upper] += shifts[pair].0 * 0.85 + thin;
         points[lower] += shifts[pair].1 * 0.85 - thin;
