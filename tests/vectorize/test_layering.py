@@ -95,6 +95,17 @@ def test_teeth_of_an_open_mouth_belong_to_skull_and_jaw(picture: np.ndarray) -> 
     assert [parts[row, 48] - FIRST_LOCAL for row in (54, 60, 66, 58)] == [7, 4, 5, 4]
 
 
+def test_all_that_a_smile_shows_stays_with_the_skull(picture: np.ndarray) -> None:
+    mouth = circle((48, 60), 10, 4).astype(np.float64)
+    mouth[:, 1] = 60 + 0.3 * (mouth[:, 1] - 60)
+    image = picture.copy()
+    image[56:65, 38:59] = [0.2, 0.05, 0.05]
+    image[58:62, 42:55] = 0.9
+    nothing = np.zeros((0, 2))
+    parts = layer_images(image, np.ones((SIDE, SIDE), np.float32), None, (), (nothing, nothing, mouth)).parts
+    assert {int(part) - FIRST_LOCAL for part in parts[58:62, 42:55].ravel()} == {7}
+
+
 def test_fore_leaves_the_scenery_and_hides_the_back(images: LayerImages, picture: np.ndarray) -> None:
     population = run(images, picture).population
     fore = slice(population.below(FORE), population.below(FIRST_LOCAL))

@@ -31,6 +31,7 @@ FIRST_PART = (0, 1, 4)  # part of a path seeded in the left eye's, right eye's a
 IRIS_PART = (2, 3)
 MOUTH = 2  # index of its opening
 LOWER_TEETH, UPPER_TEETH = 5, 7
+MOST_SMILE_GAPE = 0.4  # height over width of the opening; lower teeth and tongue are seen in a wider one
 LEAST_TEETH_CONTRAST = 0.25  # of lightness within an open mouth; below it no teeth are told from the rest
 MOST_TEETH_CHROMA = 0.35  # largest minus least channel: lips and tongue have more
 FEATURES = (range(36, 42), range(42, 48), range(48, 68))  # iBUG: image-left eye, image-right eye, mouth
@@ -76,7 +77,7 @@ def layer_images(
         parts[inside] = FIRST_LOCAL + IRIS_PART[eye]
         discs[inside] = 1
     if len(clips) > MOUTH:
-        _mark_teeth(parts, image, clips[MOUTH] > CORE)
+        _divide_mouth(parts, image, clips[MOUTH])
     face_height = None if landmarks is None else float(np.ptp(landmarks[:, 1]))
     layers = targets(image, mask, clips, irises, face_height)
     ball = fill(layers.local, (clips[:2].sum(axis=0) > CORE).astype(np.float32) * (1 - discs)) if len(clips) else image
@@ -84,9 +85,17 @@ def layer_images(
     return LayerImages(layers, ball, mask, discs, emphasis, clips, parts)
 
 
-def _mark_teeth(parts: NDArray[np.int64], image: NDArray[np.float32], inside: NDArray[np.bool_]) -> None:
-    """Give what is light and grey `inside` an open mouth to the jaw below its middle and to the skull above."""
+def _divide_mouth(parts: NDArray[np.int64], image: NDArray[np.float32], clip: NDArray[np.float32]) -> None:
+    """Say what of an open mouth goes with the skull and what with the jaw.
+
+    A smile shows upper teeth: all that is seen in it stays with the skull as one, and the jaw drops away from it. In a
+    wider mouth what is light and grey goes with the jaw below its middle and with the skull above.
+    """
+    inside = clip > CORE
     if not inside.any():
+        return
+    if np.ptp(np.flatnonzero(inside.any(axis=1))) < MOST_SMILE_GAPE * np.ptp(np.flatnonzero(inside.any(axis=0))):
+        parts[clip > 0] = FIRST_LOCAL + UPPER_TEETH
         return
     lightness, chroma = image.mean(axis=2), np.ptp(image, axis=2)
     dark, light = np.percentile(lightness[inside], (10, 90))
