@@ -27,14 +27,14 @@ def seed(
 ) -> Population:
     """`count` more paths, each on top of the layer that it belongs to; fewer only where no error at all is left."""
     residuals = [sheet.target - picture_below(population, level, sheet.below, Fidelity()) for sheet in level.sheets]
+    claimed = [r * (sheet.claim > 0)[..., None] for r, sheet in zip(residuals, level.sheets, strict=True)]
     segments = population.points.shape[1] // 3
     starts: list[Start] = []
     groups: list[int] = []
     for centre, sheet_index, reach in _places(level, residuals, count, radius, ingredients, generator):
         sheet = level.sheets[sheet_index]
         if ingredients.contours:
-            claimed = residuals[sheet_index] * (sheet.claim > 0)[..., None]
-            starts.append(contour_start(sheet.target, claimed, centre, reach, segments))
+            starts.append(contour_start(sheet.target, claimed[sheet_index], centre, reach, segments))
         else:
             starts.append(circle_start(sheet.target, centre, reach, segments))
         groups.append(int(sheet.owner[centre[1], centre[0]]))
