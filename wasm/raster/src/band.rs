@@ -82,7 +82,9 @@ impl<const S: usize> Band<S> {
 
     fn begin(&mut self, call: &Call<'_>, top: usize) {
         self.cover.fill(call, top);
-        self.below.resize(self.cover.stored(), [[0.0; ROWS]; 3]);
+        if self.below.len() < self.cover.stored() {
+            self.below.resize(self.cover.stored(), [[0.0; ROWS]; 3]);
+        }
         self.picture.clear();
         self.picture.resize(call.frame.width, call.frame.canvas.map(|v| [v; ROWS]));
         if call.frame.quantise {
