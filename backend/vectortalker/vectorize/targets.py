@@ -8,6 +8,7 @@ import numpy as np
 import vectortalker_core as core
 from numpy.typing import NDArray
 from PIL import Image
+from scipy.ndimage import grey_dilation
 
 from vectortalker import smooth
 from vectortalker.decode import Portrait
@@ -22,6 +23,8 @@ from vectortalker.vectorize.options import Settings
 from vectortalker.vectorize.population import Population, empty_population
 from vectortalker.vectorize.resize import resize
 from vectortalker.vectorize.schedule import LevelPlan
+
+FRINGE = 0.01  # of the longer side: width of soft hair and blended edges outside a mask
 
 
 @dataclass(frozen=True)
@@ -73,7 +76,7 @@ def prepare(
         return Targets(stack, canvas, (), None, FORE if masks.has_person else BACK, frame, nothing)
     outlines = () if points is None else tuple(outline for _, outline, _ in core.opening_outlines(points))
     placed_outlines = tuple(to_frame(outline, frame) for outline in outlines)
-    layers = layer_images(image, masks.fore, placed, _iris_discs(landmarks, frame), placed_outlines)
+    layers = layer_images(image, _with_fringe(masks.fore), placed, _iris_discs(landmarks, frame), placed_outlines)
     if points is None:
         return Targets(stack, canvas, outlines, layers, FORE, frame, nothing)
     hidden = first_paths(portrait, points, frame, plans[0].frame, settings.paths, settings.segments)
@@ -104,3 +107,13 @@ def _iris_discs(landmarks: Landmarks | None, frame: Frame) -> tuple[IrisDisc, ..
         IrisDisc((float(x), float(y)), iris.radius * frame.scale)
         for (x, y), iris in zip(centres, landmarks.irises, strict=True)
     )
+
+
+def _with_fringe(mask: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Grow the person's mask [H, W] over the fringe of hair and blended edge pixels around it.
+
+    Left to the back layer, the fringe stays behind as a ghost of the outline when the head moves.
+    """
+    radius = max(1, round(FRINGE * max(mask.shape)))
+    y, x = np.mgrid[-radius : radius + 1, -radius : radius + 1]
+    return grey_dilation(mask, footprint=np.hypot(x, y) <= radius + 0.5)
