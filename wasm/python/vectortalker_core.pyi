@@ -124,12 +124,13 @@ def loss_and_gradients(
     threads: int = 0,
     importance: bool = False,
     quantise: bool = False,
+    picture: bool = True,
 ) -> Gradients:
     """Losses [k], picture, gradients of their sum by points, stops and axis, and (if asked for) importance [n].
 
     A checkpoint (paths below, target [H, W, 3], weight [H, W]) compares the picture of the lowest paths with a target:
     `Σ weight·|C − target|² / 3HW`. Checkpoints ascend by paths below. Importance is the exact rise of the summed loss
-    if the path were removed. Gradients pass straight through the rounding of `quantise`.
+    if the path were removed. Without `picture` the picture is [0, 0, 3]. Gradients pass straight through the rounding of `quantise`.
     """
 
 def gradients(

@@ -25,10 +25,9 @@ class Fidelity:
 
 @dataclass(frozen=True)
 class Evaluation:
-    """`loss` of all sheets, merged `image` f32 [H, W, 3], gradients by array name, `importance` f64 [n] if wanted."""
+    """`loss` of all sheets, gradients by array name, `importance` f64 [n] if wanted."""
 
     loss: float
-    image: NDArray[np.float32]
     gradients: dict[str, NDArray[np.float32]]
     importance: NDArray[np.float64] | None
 
@@ -45,7 +44,7 @@ def evaluate(population: Population, level: Level, fidelity: Fidelity, importanc
     L_local is the merged error within the openings, whose weight is raised there.
     """
     checkpoints = [(population.below(sheet.below), sheet.target, sheet.weight) for sheet in level.sheets]
-    losses, image, grad_points, grad_stops, grad_axis, gains = core.loss_and_gradients(
+    losses, _, grad_points, grad_stops, grad_axis, gains = core.loss_and_gradients(
         population.points,
         population.stops,
         population.axis,
@@ -57,9 +56,10 @@ def evaluate(population: Population, level: Level, fidelity: Fidelity, importanc
         subrows=fidelity.subrows,
         threads=fidelity.threads,
         importance=importance,
+        picture=False,
     )
     gradients = {"points": grad_points, "stops": grad_stops, "axis": grad_axis}
-    return Evaluation(float(np.sum(losses)), image, gradients, gains)
+    return Evaluation(float(np.sum(losses)), gradients, gains)
 
 
 def detach_fore(
@@ -90,6 +90,7 @@ def detach_fore(
         screen,
         [(fore.stop - fore.start, target, weight)],
         threads=threads,
+        picture=False,
     )
     gradients["points"][fore] += grad_points * scale
     gradients["stops"][fore] += grad_stops
@@ -123,6 +124,7 @@ def complete_local(
         completion.target.mean(axis=(0, 1)),
         [(count, completion.target, completion.weight * np.float32(share))],
         threads=threads,
+        picture=False,
     )
     gradients["points"][local] += grad_points
     gradients["stops"][local] += grad_stops

@@ -6,7 +6,7 @@ use arrays::{Flags, Scene, array, flat, refused, shape};
 use numpy::{IntoPyArray, Ix2, PyArray, PyArray1, PyArray3, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use raster::{Checkpoint, Frame, Gradients, Objective, Paths};
+use raster::{Checkpoint, Extras, Frame, Gradients, Objective, Paths};
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(rasterize, module)?)?;
@@ -52,9 +52,9 @@ type GradientArrays<'py> = (
     Option<Bound<'py, PyArray1<f64>>>,
 );
 
-/// Losses of checkpoints `(paths below, target, weight)`, the picture, and gradients of the summed loss.
+/// Losses of checkpoints `(paths below, target, weight)`, the picture (if asked for), and gradients of the summed loss.
 #[pyfunction]
-#[pyo3(signature = (points, stops, axis, gradient, clip, clips, canvas, checkpoints, subrows=1, threads=0, importance=false, quantise=false))]
+#[pyo3(signature = (points, stops, axis, gradient, clip, clips, canvas, checkpoints, subrows=1, threads=0, importance=false, quantise=false, picture=true))]
 #[allow(clippy::too_many_arguments)] // one flat array each: the border's rule
 fn loss_and_gradients<'py>(
     py: Python<'py>,
@@ -70,6 +70,7 @@ fn loss_and_gradients<'py>(
     threads: usize,
     importance: bool,
     quantise: bool,
+    picture: bool,
 ) -> PyResult<GradientArrays<'py>> {
     let Some((_, target, _)) = checkpoints.first() else {
         return Err(PyValueError::new_err("checkpoints is empty; at least one is needed."));
@@ -85,9 +86,9 @@ fn loss_and_gradients<'py>(
         targets.push(Checkpoint { below: *below, target: flat("target", target)?, weight: flat("weight", weight)? });
     }
     let objective = Objective::Checkpoints(&targets);
-    let found =
-        py.detach(|| raster::differentiate(&paths, &frame, &objective, importance, threads)).map_err(refused)?;
-    arrays(py, found, &paths, &frame, importance)
+    let extras = Extras { importance, picture };
+    let found = py.detach(|| raster::differentiate(&paths, &frame, &objective, extras, threads)).map_err(refused)?;
+    arrays(py, found, &paths, &frame, extras)
 }
 
 /// Gradients of any loss, given its gradient with respect to the picture, `grad_image` f32 `[H, W, 3]`.
@@ -113,8 +114,9 @@ fn gradients<'py>(
     let scene = Scene { points, stops, axis, gradient, clip, clips, canvas, width, height, subrows, quantise };
     let (paths, frame) = (scene.paths()?, scene.frame()?);
     let objective = Objective::Upstream(flat("grad_image", &grad_image)?);
-    let found = py.detach(|| raster::differentiate(&paths, &frame, &objective, false, threads)).map_err(refused)?;
-    arrays(py, found, &paths, &frame, false)
+    let extras = Extras { importance: false, picture: true };
+    let found = py.detach(|| raster::differentiate(&paths, &frame, &objective, extras, threads)).map_err(refused)?;
+    arrays(py, found, &paths, &frame, extras)
 }
 
 /// Coverage of one closed path, control points f32 `[3S, 2]`: f32 `[H, W]`.
@@ -157,15 +159,15 @@ fn arrays<'py>(
     found: Gradients,
     paths: &Paths<'_>,
     frame: &Frame<'_>,
-    importance: bool,
+    extras: Extras,
 ) -> PyResult<GradientArrays<'py>> {
     let n = paths.len();
     Ok((
         found.losses.into_pyarray(py),
-        array(py, found.image, [frame.height, frame.width, 3])?,
+        array(py, found.image, if extras.picture { [frame.height, frame.width, 3] } else { [0, 0, 3] })?,
         array(py, found.points, [n, 3 * paths.segments, 2])?,
         array(py, found.stops, [n, 2, 4])?,
         array(py, found.axis, [n, 4])?,
-        importance.then(|| found.importance.into_pyarray(py)),
+        extras.importance.then(|| found.importance.into_pyarray(py)),
     ))
 }

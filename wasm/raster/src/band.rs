@@ -45,18 +45,20 @@ impl<const S: usize> Band<S> {
         self.write(call.frame, rows);
     }
 
-    /// As `rasterize`, and carries the objective's gradient back to every path of the band.
+    /// As `rasterize` if `rows` are given, and carries the objective's gradient back to every path of the band.
     pub fn differentiate(
         &mut self,
         call: &Call<'_>,
         objective: &Objective<'_>,
         importance: bool,
         top: usize,
-        rows: &mut [f32],
+        rows: Option<&mut [f32]>,
     ) -> BandGradient {
         self.begin(call, top);
         let losses = self.observe(call, objective);
-        self.write(call.frame, rows);
+        if let Some(rows) = rows {
+            self.write(call.frame, rows);
+        }
         let mut gradient = BandGradient { losses, ..BandGradient::default() };
         self.unblend_tiles(call, importance, &mut gradient);
         self.differentiate_outlines(call, &mut gradient);

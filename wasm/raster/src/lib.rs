@@ -36,13 +36,21 @@ use walk::ROWS;
 pub struct Gradients {
     /// One loss a checkpoint.
     pub losses: Vec<f64>,
-    /// The finished picture, `[height, width, 3]`.
+    /// The finished picture, `[height, width, 3]`; empty unless asked for.
     pub image: Vec<f32>,
     pub points: Vec<f32>,
     pub stops: Vec<f32>,
     pub axis: Vec<f32>,
     /// Exact increase of the summed losses if a path were removed, `[n]`; zeros unless asked for.
     pub importance: Vec<f64>,
+}
+
+/// What a caller of [`differentiate`] wants beside losses and gradients.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Extras {
+    /// Each path's exact leave-one-out loss, by `½·∂²loss/∂C²` carried down the stack.
+    pub importance: bool,
+    pub picture: bool,
 }
 
 /// Paints the paths over the canvas, `[height, width, 3]`; `threads` 0 means all cores.
@@ -65,13 +73,11 @@ fn rasterize_bands<const S: usize>(call: &Call<'_>, threads: usize) -> Vec<f32> 
 }
 
 /// Paints the paths and differentiates the objective by every parameter of every path.
-///
-/// `importance` also measures each path's exact leave-one-out loss, by `½·∂²loss/∂C²` carried down the stack.
 pub fn differentiate(
     paths: &Paths<'_>,
     frame: &Frame<'_>,
     objective: &Objective<'_>,
-    importance: bool,
+    extras: Extras,
     threads: usize,
 ) -> Result<Gradients, Error> {
     frame.check()?;
@@ -79,9 +85,9 @@ pub fn differentiate(
     objective.check(paths.len(), frame)?;
     let call = Call { paths, frame, chords: &flatten::flatten(paths) };
     let found = match frame.subrows {
-        1 => differentiate_bands::<1>(&call, objective, importance, threads),
-        2 => differentiate_bands::<2>(&call, objective, importance, threads),
-        _ => differentiate_bands::<4>(&call, objective, importance, threads),
+        1 => differentiate_bands::<1>(&call, objective, extras, threads),
+        2 => differentiate_bands::<2>(&call, objective, extras, threads),
+        _ => differentiate_bands::<4>(&call, objective, extras, threads),
     };
     // A value that is not finite makes its loss so too, and the sound ones need not be searched.
     if !found.losses.iter().all(|loss| loss.is_finite()) {
@@ -93,13 +99,15 @@ pub fn differentiate(
 fn differentiate_bands<const S: usize>(
     call: &Call<'_>,
     objective: &Objective<'_>,
-    importance: bool,
+    extras: Extras,
     threads: usize,
 ) -> Gradients {
-    let mut image = vec![0.0; call.frame.width * call.frame.height * 3];
-    let bands = image.chunks_mut(ROWS * call.frame.width * 3).enumerate();
+    let values = if extras.picture { call.frame.width * call.frame.height * 3 } else { 0 };
+    let mut image = vec![0.0; values];
+    let mut rows = image.chunks_mut(ROWS * call.frame.width * 3);
+    let bands = (0..call.frame.height.div_ceil(ROWS)).map(|i| (i, rows.next()));
     let parts = threads::map_ordered(threads, bands, |band: &mut Band<S>, (i, rows)| {
-        band.differentiate(call, objective, importance, i * ROWS, rows)
+        band.differentiate(call, objective, extras.importance, i * ROWS, rows)
     });
     sum(call.paths, image, &parts)
 }

@@ -77,7 +77,8 @@ proptest! {
         let (target, weight) = (vec![0.5; width * height * 3], vec![1.0; width * height]);
         let objective = [Checkpoint { below: 2, target: &target, weight: &weight }];
         let frame = frame(width, height, subrows);
-        let found = differentiate(&solid.paths(), &frame, &Objective::Checkpoints(&objective), true, 1).unwrap();
+        let extras = Extras { importance: true, picture: true };
+        let found = differentiate(&solid.paths(), &frame, &Objective::Checkpoints(&objective), extras, 1).unwrap();
         prop_assert!(found.losses.iter().chain(&found.importance).all(|v| v.is_finite()));
         prop_assert!([&found.points, &found.stops, &found.axis].into_iter().flatten().all(|v| v.is_finite()));
         prop_assert!(found.image.iter().all(|v| (-1e-5..1.0 + 1e-5).contains(v)));
