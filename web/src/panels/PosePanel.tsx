@@ -4,9 +4,21 @@ import type { JSX } from 'preact';
 import { CHANNEL_GROUPS, type Channel, type ChannelGroup } from '../face/channels';
 import { PRESETS } from '../face/presets';
 import { Button, IconButton } from '../shell/Button';
-import { atRest, isAtRest, withArticulators, withChannel, withoutChannels, withoutGroup } from '../store/edit';
+import { atRest, type Edit, isAtRest, withArticulators, withChannel, withoutChannels, withoutGroup } from '../store/edit';
 import { apply, settle, sketch } from '../store/editing';
+import { leaveRest } from '../store/looking';
 import { canPose, edit } from '../store/state';
+
+/** One step that is seen, whatever tool is in hand. */
+function pose(change: (edit: Edit) => Edit): void {
+  leaveRest();
+  apply(change);
+}
+
+function sketchPose(next: Edit): void {
+  leaveRest();
+  sketch(next);
+}
 
 export function PosePanel(): JSX.Element {
   const disabled = !canPose.value;
@@ -17,7 +29,7 @@ export function PosePanel(): JSX.Element {
       {CHANNEL_GROUPS.map((group) => (
         <Group key={group.name} group={group} disabled={disabled} />
       ))}
-      <Button disabled={disabled || isResting} onClick={() => apply(atRest)}>
+      <Button disabled={disabled || isResting} onClick={() => pose(atRest)}>
         Reset the whole pose
       </Button>
     </div>
@@ -33,7 +45,7 @@ function Presets({ disabled }: { readonly disabled: boolean }): JSX.Element {
           type="button"
           class="chip"
           disabled={disabled}
-          onClick={() => apply((present) => (name === 'neutral' ? atRest(present) : withArticulators(present, articulators)))}
+          onClick={() => pose((present) => (name === 'neutral' ? atRest(present) : withArticulators(present, articulators)))}
         >
           {label}
         </button>
@@ -51,7 +63,7 @@ function Group({ group, disabled }: { readonly group: ChannelGroup; readonly dis
         icon="reset"
         label={`Reset ${group.label.toLowerCase()}`}
         disabled={disabled || !isMoved}
-        onClick={() => apply((present) => withoutGroup(present, group.name))}
+        onClick={() => pose((present) => withoutGroup(present, group.name))}
       />
       {group.channels.map((channel) => (
         <Slider key={channel.name} channel={channel} />
@@ -64,7 +76,7 @@ function Slider({ channel }: { readonly channel: Channel }): JSX.Element {
   const value = useComputed(() => edit.value.pose.articulators[channel.name] ?? 0).value;
   const name = `${channel.label}: ${channel.ends[0]} to ${channel.ends[1]}`;
   const share = (v: number) => `${((v - channel.min) / (channel.max - channel.min)) * 100}%`;
-  const reset = () => apply((present) => withoutChannels(present, [channel.name]));
+  const reset = () => pose((present) => withoutChannels(present, [channel.name]));
   return (
     <div class="channel">
       <span class="channel-label">{channel.label}</span>
@@ -78,7 +90,7 @@ function Slider({ channel }: { readonly channel: Channel }): JSX.Element {
           max={channel.max}
           step={channel.step}
           value={value}
-          onInput={(event) => sketch(withChannel(edit.value, channel.name, event.currentTarget.valueAsNumber))}
+          onInput={(event) => sketchPose(withChannel(edit.value, channel.name, event.currentTarget.valueAsNumber))}
           onChange={settle}
           onDblClick={reset}
         />
@@ -92,7 +104,7 @@ function Slider({ channel }: { readonly channel: Channel }): JSX.Element {
 function NumberField({ channel, value }: { readonly channel: Channel; readonly value: number }): JSX.Element {
   const take = (event: Event & { currentTarget: HTMLInputElement }) => {
     const typed = event.currentTarget.valueAsNumber;
-    if (Number.isFinite(typed)) apply((present) => withChannel(present, channel.name, typed));
+    if (Number.isFinite(typed)) pose((present) => withChannel(present, channel.name, typed));
     event.currentTarget.value = shown(edit.value.pose.articulators[channel.name] ?? 0, channel);
   };
   return (

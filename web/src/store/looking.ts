@@ -23,6 +23,11 @@ export function nextTheme(): void {
   theme.value = THEMES[(THEMES.indexOf(theme.value) + 1) % THEMES.length];
 }
 
+/** Poses show with any tool but the one that corrects the rest: what poses the portrait puts that down. */
+export function leaveRest(): void {
+  if (tool.value === 'rest') tool.value = 'pose';
+}
+
 /** The rest landmarks are corrected on the resting portrait, so playing stops. */
 export function takeTool(name: ToolName): void {
   tool.value = name;

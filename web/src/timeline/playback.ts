@@ -1,4 +1,5 @@
 /** The clock of the timeline: play, pause, scrub, loop. */
+import { leaveRest } from '../store/looking';
 import { looping, playing, timeSeconds, track } from '../store/state';
 
 let request = 0;
@@ -8,6 +9,7 @@ export function play(): void {
   const current = track.value;
   if (!current || playing.value) return;
   if (timeSeconds.value >= current.duration) timeSeconds.value = 0;
+  leaveRest();
   playing.value = true;
   lastTick = performance.now();
   request = requestAnimationFrame(tick);
@@ -25,6 +27,7 @@ export function togglePlaying(): void {
 
 /** Moves the playhead, within the track. */
 export function seek(seconds: number): void {
+  leaveRest();
   timeSeconds.value = Math.min(Math.max(seconds, 0), track.value?.duration ?? 0);
 }
 
