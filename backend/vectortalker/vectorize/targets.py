@@ -116,4 +116,4 @@ def _with_fringe(mask: NDArray[np.float32]) -> NDArray[np.float32]:
     """
     radius = max(1, round(FRINGE * max(mask.shape)))
     y, x = np.mgrid[-radius : radius + 1, -radius : radius + 1]
-    return grey_dilation(mask, footprint=np.hypot(x, y) <= radius + 0.5)
+    return np.asarray(grey_dilation(mask, footprint=np.hypot(x, y) <= radius + 0.5), np.float32)
