@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { defineConfig } from '@playwright/test';
 import { systemChromium } from './chromium.mjs';
 
-const PORT = 8317;
+const PORT = Number(process.env.VECTORTALKER_E2E_PORT ?? 8317);
 const ROOT = join(import.meta.dirname, '../..');
 // The config is loaded by every worker; only the first makes the folder.
 process.env.VECTORTALKER_E2E_DATA ??= mkdtempSync(join(tmpdir(), 'vectortalker-e2e-'));
