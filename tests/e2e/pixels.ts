@@ -10,25 +10,34 @@ export type Difference = {
 };
 
 const TOLERANCE = 2; // of 255, in any channel
+const ANTIALIASING = 1; // pixels beyond an outline that it colours
 
-/** How many pixels of two equally large PNGs differ, and the box round them. */
-export function difference(page: Page, a: Buffer, b: Buffer): Promise<Difference> {
+/** How many pixels of two equally large PNGs differ outside a region (path data, pixels), and the box round them. */
+export function difference(page: Page, a: Buffer, b: Buffer, except = ''): Promise<Difference> {
   return page.evaluate(
-    async ([first, second, tolerance]) => {
+    async ([first, second, tolerance, region, border]) => {
+      const contextOf = (width: number, height: number) => {
+        const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+        if (!context) throw new Error('no 2D context');
+        return context;
+      };
       const pixels = async (base64: string) => {
         const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
         const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-        const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
-        const context = canvas.getContext('2d');
-        if (!context) throw new Error('no 2D context');
+        const context = contextOf(bitmap.width, bitmap.height);
         context.drawImage(bitmap, 0, 0);
         return context.getImageData(0, 0, bitmap.width, bitmap.height);
       };
       const [p, q] = [await pixels(first), await pixels(second)];
+      const excepted = contextOf(p.width, p.height);
+      excepted.lineWidth = 2 * border;
+      excepted.fill(new Path2D(region));
+      excepted.stroke(new Path2D(region));
+      const free = excepted.getImageData(0, 0, p.width, p.height).data;
       const found = { count: 0, left: p.width, top: p.height, right: -1, bottom: -1 };
       for (let at = 0; at < p.data.length; at += 4) {
         const differs = [0, 1, 2].some((channel) => Math.abs(p.data[at + channel] - q.data[at + channel]) > tolerance);
-        if (!differs) continue;
+        if (!differs || free[at + 3] > 0) continue;
         const x = (at / 4) % p.width;
         const y = Math.floor(at / 4 / p.width);
         found.count += 1;
@@ -39,6 +48,6 @@ export function difference(page: Page, a: Buffer, b: Buffer): Promise<Difference
       }
       return found;
     },
-    [a.toString('base64'), b.toString('base64'), TOLERANCE] as const,
+    [a.toString('base64'), b.toString('base64'), TOLERANCE, except, ANTIALIASING] as const,
   );
 }

@@ -1,7 +1,7 @@
 //! Paths bound to a mesh: their control points at rest, and where those go when vertices move.
 
 use crate::binding::{Bindings, Influence};
-use crate::joints::{repair, smooth_joints};
+use crate::joints::{Joint, Strains, repair, smooth_joints};
 use crate::local::influences;
 use crate::mesh::Mesh;
 use crate::mesh::grid::{Grid, bounds};
@@ -30,6 +30,7 @@ pub struct BoundPaths {
     /// Control points of all paths at rest, one path after another.
     points: Vec<Point>,
     bindings: Bindings,
+    strains: Strains,
 }
 
 #[derive(Clone, Debug)]
@@ -39,7 +40,7 @@ struct BoundPath {
     /// Vertices that move it, ascending.
     vertices: Vec<usize>,
     /// Joints whose kinks are repaired.
-    smooth: Vec<usize>,
+    smooth: Vec<Joint>,
 }
 
 /// Control points of the paths that moved.
@@ -58,7 +59,7 @@ impl BoundPaths {
     pub fn bind(scene: &SceneGeometry, mesh: &Mesh, moving: &[Point], options: Options, mouth_closed: bool) -> Self {
         let (low, high) = bounds(moving);
         let grid = Grid::new(mesh, low, high);
-        let mut bound = Self::default();
+        let mut bound = Self { strains: Strains::of(mesh), ..Self::default() };
         let mut from = 0;
         for (&n_segments, &layer) in scene.segments.iter().zip(scene.layers) {
             let source = &scene.points[from..from + 3 * n_segments];
@@ -84,7 +85,7 @@ impl BoundPaths {
         bound
     }
 
-    fn push(&mut self, points: &[Point], smooth: Vec<usize>, influences: impl Fn(usize) -> Vec<Influence>) {
+    fn push(&mut self, points: &[Point], smooth: Vec<Joint>, influences: impl Fn(usize) -> Vec<Influence>) {
         let start = self.points.len();
         let mut vertices = Vec::new();
         for i in 0..points.len() {
@@ -138,22 +139,22 @@ impl BoundPaths {
     fn warp(&self, path: &BoundPath, displacements: &[Point]) -> Vec<Point> {
         let warped = (path.start..path.end).map(|i| self.points[i] + self.bindings.displacement(i, displacements));
         let mut points: Vec<Point> = warped.collect();
-        if path.vertices.iter().any(|&vertex| displacements[vertex] != Point::ZERO) {
-            repair(&mut points, &path.smooth);
-        }
+        repair(&mut points, &path.smooth, &self.strains, displacements);
         points
     }
 }
 
 /// Influences on control point `i` of a split path: crossings by their edge, everything else by its piece's triangle.
 fn piece_influences(mesh: &Mesh, path: &SplitPath, i: usize) -> Vec<Influence> {
-    let piece = i / 3;
-    match path.anchors[piece] {
-        Anchor::Edge { edge, s } if i.is_multiple_of(3) => {
-            let [a, b] = mesh.edges[edge];
+    let (piece, place) = (i / 3, i % 3);
+    let triangle = path.triangles[piece];
+    let end_of_bridge = triangle.is_none() && place == 2;
+    let anchor = if end_of_bridge { (piece + 1) % path.anchors.len() } else { piece };
+    match path.anchors[anchor] {
+        Anchor::Edge { ends: [a, b], s } if triangle.is_none() || place == 0 => {
             vec![Influence::real(a, 1.0 - s), Influence::real(b, s)]
         }
-        _ => triangle_influences(mesh, path.triangles[piece], path.points[i]),
+        _ => triangle.map_or_else(Vec::new, |triangle| triangle_influences(mesh, triangle, path.points[i])),
     }
 }
 

@@ -24,6 +24,8 @@ pub struct Mesh {
     pub triangles: Vec<Triangle>,
     /// Each pair of vertices once; of the two sides of a slit only the upper one.
     pub edges: Vec<[usize; 2]>,
+    /// Vertices that coincide at rest across a slit: (upper, lower).
+    pub partners: Vec<(usize, usize)>,
 }
 
 type Delaunay = ConstrainedDelaunayTriangulation<Point2<f64>>;
@@ -73,7 +75,19 @@ impl Mesh {
             })
             .collect::<Vec<_>>();
         let edges = unique_edges(&triangles, &rest);
-        Ok(Self { rest, triangles, edges })
+        let partners = closed.iter().flat_map(|opening| opening.pairs()).collect();
+        Ok(Self { rest, triangles, edges, partners })
+    }
+
+    /// Ends of an edge as the given triangle beside it has them: their partners below, if it lies below a slit.
+    #[must_use]
+    pub fn side_of_edge(&self, edge: usize, triangle: usize) -> [usize; 2] {
+        let vertices = self.triangles[triangle].vertices;
+        let upper = self.edges[edge];
+        let lower = upper.map(|vertex| {
+            self.partners.iter().find(|(partner, _)| *partner == vertex).map_or(vertex, |&(_, lower)| lower)
+        });
+        if lower.iter().all(|vertex| vertices.contains(vertex)) { lower } else { upper }
     }
 
     /// Twice the signed area of a triangle with its vertices at `positions`.

@@ -82,7 +82,12 @@ mod tests {
     use proptest::prelude::*;
 
     fn one_triangle(rest: Vec<Point>) -> Mesh {
-        Mesh { rest, triangles: vec![Triangle { vertices: [0, 1, 2], interior: None }], edges: vec![] }
+        Mesh {
+            rest,
+            triangles: vec![Triangle { vertices: [0, 1, 2], interior: None }],
+            edges: vec![],
+            partners: vec![],
+        }
     }
 
     #[test]

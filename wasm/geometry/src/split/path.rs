@@ -11,8 +11,8 @@ use crate::point::Point;
 pub enum Anchor {
     /// An anchor of the source path.
     Source,
-    /// A crossing with an edge of the mesh at `s` along it; both neighbouring pieces share this one point.
-    Edge { edge: usize, s: f64 },
+    /// A crossing with the edge between two vertices, at `s` along it; both neighbouring pieces share this one point.
+    Edge { ends: [usize; 2], s: f64 },
 }
 
 /// A closed chain of pieces; entry `j` of `anchors` and `triangles` belongs to piece `j` of `points`.
@@ -21,7 +21,8 @@ pub struct SplitPath {
     pub points: Vec<Point>,
     pub anchors: Vec<Anchor>,
     /// Triangle that contains the piece's middle, eval(½): its ends lie on edges and decide nothing.
-    pub triangles: Vec<usize>,
+    /// None for a bridge across a slit, which is a mere point at rest: its handles lie on its ends.
+    pub triangles: Vec<Option<usize>>,
 }
 
 /// Splits a closed path `anchor, handle, handle, …` at its crossings with all edges.
@@ -62,16 +63,25 @@ pub fn keep_path(points: &[Point], mesh: &Mesh, grid: &Grid) -> SplitPath {
 impl SplitPath {
     fn push_pieces(&mut self, curve: &Cubic, crossings: &[(Crossing, usize)], mesh: &Mesh, grid: &Grid) {
         let ts: Vec<f64> = crossings.iter().map(|(crossing, _)| crossing.t).collect();
+        let mut before = None;
         for (k, piece) in split_at(curve, &ts).iter().enumerate() {
-            self.points.extend_from_slice(&piece[..3]);
-            self.anchors.push(match k.checked_sub(1) {
-                None => Anchor::Source,
-                Some(before) => {
-                    let (crossing, edge) = crossings[before];
-                    Anchor::Edge { edge, s: crossing.s }
+            let triangle = grid.locate(mesh, eval(piece, 0.5));
+            let mut anchor = Anchor::Source;
+            if let (Some(from), Some(&(Crossing { s, .. }, edge))) = (before, k.checked_sub(1).map(|k| &crossings[k])) {
+                let (leaving, arriving) = (mesh.side_of_edge(edge, from), mesh.side_of_edge(edge, triangle));
+                if leaving != arriving {
+                    self.push([piece[0]; 3], Anchor::Edge { ends: leaving, s }, None);
                 }
-            });
-            self.triangles.push(grid.locate(mesh, eval(piece, 0.5)));
+                anchor = Anchor::Edge { ends: arriving, s };
+            }
+            self.push([piece[0], piece[1], piece[2]], anchor, Some(triangle));
+            before = Some(triangle);
         }
+    }
+
+    fn push(&mut self, points: [Point; 3], anchor: Anchor, triangle: Option<usize>) {
+        self.points.extend_from_slice(&points);
+        self.anchors.push(anchor);
+        self.triangles.push(triangle);
     }
 }
