@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy import signal
+from scipy import fft, signal
 
 SPEEDS = (
     0.82,
@@ -35,8 +35,10 @@ def spoilt(samples: np.ndarray, rate: int, generator: np.random.Generator) -> np
 
 def sped(samples: np.ndarray, generator: np.random.Generator) -> tuple[np.ndarray, float]:
     """Played faster or slower; the speed by which times are to be divided."""
-    speed = float(generator.uniform(*SPEEDS))
-    return signal.resample(samples, max(1, round(len(samples) / speed))), speed
+    n_before = fft.next_fast_len(len(samples))
+    n_after = fft.next_fast_len(round(n_before / generator.uniform(*SPEEDS)))
+    padded = np.concatenate([samples, np.zeros(n_before - len(samples))])
+    return signal.resample(padded, n_after), n_before / n_after
 
 
 def without_speech(n_samples: int, rate: int, generator: np.random.Generator) -> np.ndarray:

@@ -2,11 +2,11 @@
 
     python scripts/speech/corpus.py OUT_FOLDER [--seed 0]
 
-Needs espeak-ng, flite and (for the part of the held-out synthesiser) festival with the voices of `synthesisers.py`.
+Needs espeak-ng, flite, and festival with the voices of `synthesisers.py`.
 
-Parts: `train`, and, never trained on: `voices` (espeak-ng variants and the flite voice slt), `languages` (Italian,
-Hungarian and Greek by espeak-ng), `festival` (a synthesiser of its own, on recorded voices). All but `train` are clean;
-`noisy` is `voices` and `festival` spoilt as training speech is.
+Parts: `train`, and, never trained on: `synthesiser` (flite, a program and speakers of its own), `voices` (espeak-ng
+variants, and Festival voices; Finnish, Czech and English by other voices are trained on), `languages` (Italian,
+Hungarian and Greek by espeak-ng). `noisy` is `synthesiser` and `voices` spoilt as training speech is.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import argparse
 import random
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import chain
 from pathlib import Path
 
 import numpy as np
@@ -40,14 +41,15 @@ TRAIN_VARIANTS = (
 )  # fmt: skip
 HELD_VARIANTS = ("m8", "f5", "klatt3", "Andy", "linda", "steph", "Gene", "norbert")
 HELD_LANGUAGES = ("it", "hu", "el")
-TRAIN_FLITE, HELD_FLITE = ("kal16", "awb", "rms"), "slt"
-N_ESPEAK_PER_LANGUAGE, N_FLITE_PER_VOICE, N_FLITE_VERSIONS, N_SPEECHLESS = (
-    56,
-    110,
-    2,
-    70,
-)
-N_ESPEAK_ENGLISH = 120
+TRAIN_FESTIVAL = (
+    "kal_diphone", "ked_diphone", "upc_ca_ona_hts", "hy_fi_mv_diphone", "czech_dita", "czech_krb", "czech_ph",
+    "hindi_NSK_diphone",
+)  # fmt: skip
+HELD_FESTIVAL = ("cmu_us_slt_arctic_hts", "lp_diphone", "suo_fi_lj_diphone", "czech_machac")
+FLITE_VOICES = ("awb", "rms", "slt")  # kal is Festival's
+N_ESPEAK, N_ESPEAK_ENGLISH = 130, 400  # lines a language
+N_FESTIVAL, N_FESTIVAL_ENGLISH = 110, 320  # lines a voice
+N_SPEECHLESS = 160
 N_HELD = 5  # lines a voice or language of the held-out parts
 
 
@@ -59,28 +61,25 @@ def main() -> None:
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
     held = {
-        "voices": list(_held_voices(random.Random(options.seed + 1))),
-        "languages": list(espeak(_wishes(HELD_LANGUAGES, ("", "f2", "m3"), 16, random.Random(options.seed + 2)))),
-        "festival": list(_festival(random.Random(options.seed + 3))),
+        "synthesiser": list(_flite(random.Random(options.seed + 1))),
+        "voices": list(_held_voices(random.Random(options.seed + 2))),
+        "languages": list(espeak(_wishes(HELD_LANGUAGES, ("", "f2", "m3"), 16, random.Random(options.seed + 3)))),
     }
     generator = np.random.default_rng(options.seed + 1)
     for name, utterances in held.items():
         _save(options.out / f"{name}.npz", (_example(item, item.samples, generator) for item in utterances))
-    noisy = held["voices"] + held["festival"]
+    noisy = held["synthesiser"] + held["voices"]
     _save(options.out / "noisy.npz", (_spoilt_example(item, generator) for item in noisy))
     if not options.held_only:
         _save(options.out / "train.npz", _train(options.seed, np.random.default_rng(options.seed)))
 
 
 def _train(seed: int, generator: np.random.Generator) -> Iterator[dict]:
+    """Every line once as it was spoken and once spoilt; recordings of no speech after them."""
     source = random.Random(seed)
-    for utterance in espeak(_train_wishes(source)):
+    for utterance in chain(espeak(_train_wishes(source)), _festival(TRAIN_FESTIVAL, source)):
+        yield _example(utterance, utterance.samples, generator)
         yield _spoilt_example(utterance, generator)
-    for voice in TRAIN_FLITE:
-        for _ in range(N_FLITE_PER_VOICE):
-            utterance = flite(voice, texts.line("en", source))
-            for _ in range(N_FLITE_VERSIONS):
-                yield _spoilt_example(utterance, generator)
     for _ in range(N_SPEECHLESS):
         samples = without_speech(4 * RATE, RATE, generator)
         yield _example(Utterance("none", "none", "", RATE, samples, []), samples, generator)
@@ -88,24 +87,29 @@ def _train(seed: int, generator: np.random.Generator) -> Iterator[dict]:
 
 def _train_wishes(source: random.Random) -> Iterator[EspeakWish]:
     for language, voices in TRAIN_VOICES.items():
-        for _ in range(N_ESPEAK_ENGLISH if language == "en" else N_ESPEAK_PER_LANGUAGE):
-            yield _wish(
-                source.choice(voices),
-                texts.line(language, source),
-                source.choice(TRAIN_VARIANTS),
-                source,
-            )
+        for _ in range(N_ESPEAK_ENGLISH if language == "en" else N_ESPEAK):
+            text = texts.line(language, source)
+            yield _wish(source.choice(voices), text, source.choice(TRAIN_VARIANTS), source)
+
+
+def _festival(voices: tuple[str, ...], source: random.Random) -> Iterator[Utterance]:
+    for voice in voices:
+        language = FESTIVAL_VOICES[voice][0]
+        n_lines = N_FESTIVAL_ENGLISH if language == "en" else N_FESTIVAL
+        yield from festival(voice, [texts.line(language, source) for _ in range(n_lines)])
 
 
 def _held_voices(source: random.Random) -> Iterator[Utterance]:
-    yield from espeak(_wishes(("en", "de", "es", "ru"), HELD_VARIANTS, N_HELD, source))
-    for _ in range(3 * N_HELD):
-        yield flite(HELD_FLITE, texts.line("en", source))
-
-
-def _festival(source: random.Random) -> Iterator[Utterance]:
-    for voice, (language, _, _) in FESTIVAL_VOICES.items():
+    yield from espeak(_wishes(("en", "de", "es", "ru"), HELD_VARIANTS, 2 * N_HELD, source))
+    for voice in HELD_FESTIVAL:
+        language = FESTIVAL_VOICES[voice][0]
         yield from festival(voice, [texts.line(language, source) for _ in range(2 * N_HELD)])
+
+
+def _flite(source: random.Random) -> Iterator[Utterance]:
+    for voice in FLITE_VOICES:
+        for _ in range(3 * N_HELD):
+            yield flite(voice, texts.line("en", source))
 
 
 def _wishes(

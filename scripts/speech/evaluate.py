@@ -21,8 +21,8 @@ from vectortalker.speech.alignment import align
 from vectortalker.speech.coarticulation import FPS, Blend, articulate
 from vectortalker.speech.decoding import decode
 from vectortalker.speech.features import levels, log_mels, normalised
+from vectortalker.speech.listening import weighted
 from vectortalker.speech.network import Heard, hear
-from vectortalker.speech.track import weighted
 from vectortalker.speech.transcript import words_of
 from vectortalker.speech.visemes import SILENCE, VISEMES, Block, blocks_of_phones, classes_at
 
@@ -105,9 +105,9 @@ def score(clips: list[Clip], recognise: Callable[[Clip], list[Block]], is_lenien
 
 def lip_gap(landmarks: list | None) -> np.ndarray:
     """Inner gap over mouth width [n] of offsets from the canonical face."""
-    from vectortalker.speech.landmarks import rest_landmarks
+    from vectortalker.tracks.neutral import neutral_landmarks
 
-    points = np.array(landmarks) + rest_landmarks()
+    points = np.array(landmarks) + neutral_landmarks()
     return np.abs(points[:, 66, 1] - points[:, 62, 1]) / np.linalg.norm(points[:, 54] - points[:, 48], axis=1)
 
 

@@ -23,6 +23,13 @@ CZECH = {
     "h": "ɦ", "c": "ts", "c~": "tʃ", "d~": "ɟ", "t~": "c", "n~": "ɲ", "r~": "r", "s~": "ʃ", "z~": "ʒ", "N": "ŋ",
     "dz": "dz", "dz~": "dʒ", "ou": "oʊ", "au": "aʊ", "eu": "eʊ", "ch": "x", "@": "ə",
 }  # fmt: skip
+HINDI = {
+    **{letter: letter for letter in "fkgnpbmrlshx"},
+    "a": "ʌ", "aa": "ɑ", "ih": "ɪ", "iy": "i", "uh": "ʊ", "uw": "u", "eh": "e", "ee": "e", "ay": "ɛ", "oh": "o",
+    "oo": "o", "aw": "ɔ", "@": "ə", "T": "ʈ", "D": "ɖ", "N": "ɳ", "L": "ɭ", "R": "ɽ", "th": "t", "dh": "d", "td": "ʈ",
+    "tth": "t", "ddh": "d", "kh": "k", "gh": "ɡ", "bh": "b", "ch": "tʃ", "j": "dʒ", "y": "j", "v": "ʋ", "w": "w",
+    "sh": "ʃ", "zh": "ʒ", "ksh": "kʃ", "sri": "ʃri",
+}  # fmt: skip
 SILENCES = {"pau", "#", "##", "_", "h#", "sil", "SIL", "ssil", "brth", "+spn+", "+nsn+"}
 
 

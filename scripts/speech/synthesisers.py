@@ -13,18 +13,27 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from phone_sets import CZECH, FINNISH, RADIO, ROMANCE, ipa
+from phone_sets import CZECH, FINNISH, HINDI, RADIO, ROMANCE, ipa
 from scipy.io import wavfile
 
 Phones = list[tuple[float, float, str]]  # start, end (seconds), IPA; empty IPA: a pause
 
 FESTIVAL_VOICES = {  # voice: language of the sentences, phone set, encoding that Festival reads
+    "kal_diphone": ("en", RADIO, "ascii"),
     "ked_diphone": ("en", RADIO, "ascii"),
     "cmu_us_slt_arctic_hts": ("en", RADIO, "ascii"),
+    "upc_ca_ona_hts": ("ca", ROMANCE, "iso-8859-1"),
     "lp_diphone": ("it", ROMANCE, "iso-8859-1"),
+    "hy_fi_mv_diphone": ("fi", FINNISH, "iso-8859-1"),
     "suo_fi_lj_diphone": ("fi", FINNISH, "iso-8859-1"),
+    "czech_dita": ("cs", CZECH, "iso-8859-2"),
+    "czech_krb": ("cs", CZECH, "iso-8859-2"),
+    "czech_ph": ("cs", CZECH, "iso-8859-2"),
     "czech_machac": ("cs", CZECH, "iso-8859-2"),
+    "hindi_NSK_diphone": ("hi", HINDI, "utf-8"),
 }
+GAP_LEVEL = 10 ** (-50 / 20)  # of the peak: voiced closures are at -30 dB, espeak-ng's voiceless ones below -80 dB
+GAP_SECONDS = (0.008, 0.15)  # least and greatest length of a closure
 _DUMP = """(define (phones utt) (mapcar (lambda (s) (format t "%s %f|" (item.name s) (item.feat s "end")))
   (utt.relation.items utt 'Segment)) (format t "\\n"))
 """
@@ -75,9 +84,29 @@ def espeak(wishes: Iterator[EspeakWish]) -> Iterator[Utterance]:
         phones = [
             (start, end, _LANGUAGE_SWITCH.sub("", name)) for (start, name), end in zip(events, ends, strict=False)
         ]
-        yield Utterance(f"espeak {voice}", wish.language, wish.text, rate, samples / np.float32(32768), phones)
+        heard = samples / np.float32(32768)
+        yield Utterance(f"espeak {voice}", wish.language, wish.text, rate, heard, _with_closures(phones, heard, rate))
     process.stdin.close()
     process.wait()
+
+
+def _with_closures(phones: Phones, samples: np.ndarray, rate: int) -> Phones:
+    """espeak-ng tells of a voiceless stop at its release: the silent closure before it is part of the stop, too.
+
+    Other synthesisers, and phoneticians, count it so. After a pause nothing shows where the closure begins.
+    """
+    is_loud = np.abs(samples) > GAP_LEVEL * np.abs(samples).max(initial=0)
+    starts = [start for start, _, _ in phones]
+    for index in range(1, len(phones)):
+        release, named = phones[index][0], phones[index][2] and phones[index - 1][2]
+        end = round(release * rate)
+        first = max(0, end - round(GAP_SECONDS[1] * rate))
+        before = np.flatnonzero(is_loud[first:end])
+        gap = (end - first - int(before[-1]) - 1) / rate if len(before) else 0.0
+        if named and gap > GAP_SECONDS[0]:
+            starts[index] = max(starts[index - 1], release - gap)
+    ends = [*starts[1:], phones[-1][1]] if phones else []
+    return [(start, end, name) for (_, _, name), start, end in zip(phones, starts, ends, strict=True)]
 
 
 def flite(voice: str, text: str) -> Utterance:

@@ -16,9 +16,9 @@ from vectortalker.schema import N_LANDMARKS, Track
 from vectortalker.speech import Options, as_landmarks, network, track_from_audio, transcript
 from vectortalker.speech.audio import RATE
 from vectortalker.speech.features import N_MELS
-from vectortalker.speech.landmarks import rest_landmarks
 from vectortalker.speech.visemes import CHANNELS, VISEMES
 from vectortalker.tracks import read_track
+from vectortalker.tracks.neutral import neutral_landmarks
 
 TEXT = "My baby may buy a big blue bamboo boat."
 CLOSED = 0.02  # inner gap in mouth widths
@@ -44,7 +44,7 @@ def spoken(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def lip_gap(track: Track) -> np.ndarray:
     """Inner gap over mouth width, by frame."""
-    points = np.array(as_landmarks(track).landmarks) + rest_landmarks()
+    points = np.array(as_landmarks(track).landmarks) + neutral_landmarks()
     return np.abs(points[:, 66, 1] - points[:, 62, 1]) / np.linalg.norm(points[:, 54] - points[:, 48], axis=1)
 
 

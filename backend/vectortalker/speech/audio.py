@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import BinaryIO
 
 import av
 import numpy as np
@@ -19,25 +20,26 @@ MAX_SECONDS = 600
 Samples = NDArray[np.float32]  # [n], within -1…1
 
 
-def mono_chunks(path: Path) -> Iterator[Samples]:
-    """Samples of the first audio stream of `path`, a packet's worth at a time: memory does not grow with the length.
+def mono_chunks(sound: Path | BinaryIO) -> Iterator[Samples]:
+    """Samples of the first audio stream of a file, a packet's worth at a time: memory does not grow with the length.
 
     Raises `bad_audio`: not there, not decodable, without sound, damaged before its end, empty, or over 10 minutes.
     """
+    name = sound.name if isinstance(sound, Path) else "The recording"
     try:
-        with av.open(path) as container:
+        with av.open(sound) as container:
             if not container.streams.audio:
-                raise _bad(f"{path.name} has no sound.")
+                raise _bad(f"{name} has no sound.")
             n_samples = 0
             for chunk in _resampled(container):
                 n_samples += len(chunk)
                 if n_samples > MAX_SECONDS * RATE:
-                    raise _bad(f"{path.name} is longer than {MAX_SECONDS // 60} minutes, the limit: cut it.")
+                    raise _bad(f"{name} is longer than {MAX_SECONDS // 60} minutes, the limit: cut it.")
                 yield chunk
     except (FFmpegError, OSError) as error:
-        raise _bad(f"{path.name} cannot be read as audio: {error.strerror}.") from error
+        raise _bad(f"{name} cannot be read as audio: {error.strerror}.") from error
     if n_samples == 0:
-        raise _bad(f"{path.name} has a sound stream without a single sample.")
+        raise _bad(f"{name} has a sound stream without a single sample.")
 
 
 def _resampled(container: InputContainer) -> Iterator[Samples]:

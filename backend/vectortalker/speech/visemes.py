@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -101,6 +101,12 @@ def blocks_of_phones(phones: Iterable[tuple[float, float, str]]) -> list[Block]:
             else:
                 blocks.append(Block(begin, finish - begin, name))
     return blocks
+
+
+def cut(blocks: list[Block], start: float, end: float) -> list[Block]:
+    """What of the blocks lies between two times, seconds."""
+    spans = [(max(block.start, start), min(block.end, end), block) for block in blocks]
+    return [replace(block, start=first, duration=last - first) for first, last, block in spans if last > first]
 
 
 def classes_at(blocks: list[Block], times: NDArray[np.float64]) -> NDArray[np.int64]:

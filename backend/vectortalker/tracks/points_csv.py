@@ -1,4 +1,4 @@
-"""Raw 68-point rows `t,x0,y0,…,x67,y67` of a tracked face become a landmark track.
+"""Raw 68-point rows `t,x0,y0,…,x67,y67` of a tracked face become a landmark track, and points become such rows.
 
 The neutral face is the row whose lips are nearest to closed among those whose eyes are open; offsets from it are in
 units of its outer-eye distance. Head motion stays in the track.
@@ -43,6 +43,15 @@ def from_csv(text: str, name: str) -> Track:
         raise _bad(f"The outer eye corners of {name} coincide: it holds no face.")
     offsets = ((resampled - neutral) / scale).round(5)
     return Track(name=name, duration=n_frames / fps, fps=fps, landmarks=offsets.tolist())
+
+
+def to_csv(points: Points, fps: float) -> str:
+    """Rows of time and points, after one of column names; what `from_csv` reads."""
+    names = ["t", *(f"{axis}{index}" for index in range(N_LANDMARKS) for axis in "xy")]
+    table = np.column_stack([np.arange(len(points)) / fps, points.reshape(len(points), -1)])
+    file = io.StringIO()
+    np.savetxt(file, table, fmt="%.4f", delimiter=",", header=",".join(names), comments="")
+    return file.getvalue()
 
 
 def _rows(text: str, name: str) -> tuple[NDArray[np.float64], Points]:

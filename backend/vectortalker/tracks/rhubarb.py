@@ -1,15 +1,21 @@
-"""Mouth cues of Rhubarb Lip Sync become articulators: a shape is held, then crosses over to the next in time for it."""
+"""Mouth cues of Rhubarb Lip Sync become articulators, and visemes become mouth cues.
+
+A shape is held, then crosses over to the next in time for it.
+"""
 
 from __future__ import annotations
 
+import itertools
+import json
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from vectortalker.errors import VectorTalkerError
-from vectortalker.schema import Track
+from vectortalker.schema import Track, VisemeBlock
 
 FPS = 50.0
 TWEEN_SECONDS = 0.06  # 40 to 80 ms read well; the next shape is complete when its cue begins
@@ -27,6 +33,10 @@ SHAPES = {  # the nine shapes as values of CHANNELS
     "H": (0.4, 0.1, 0.0, 0.2, 0.0, 0.0, 0.9),  # L
     "X": (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
 }
+VISEME_OF = {"A": "PP", "B": "SS", "C": "E", "D": "aa", "E": "O", "F": "U", "G": "FF", "H": "nn", "X": "sil"}
+_SHAPE_OF = {"PP": "A", "FF": "G", "aa": "D", "E": "C", "O": "E", "RR": "E", "U": "F", "sil": "X"}
+CONSONANT = "B"  # all other visemes: teeth together
+DECIMALS = 2  # of times, as Rhubarb writes them
 
 
 @dataclass(frozen=True)
@@ -63,6 +73,33 @@ def from_json(document: dict[str, Any], name: str) -> Track:
     return _track(cues, max(ends, default=0.0), name)
 
 
+def cues_of(visemes: Iterable[VisemeBlock], duration: float) -> list[Cue]:
+    """Shapes from 0 on, rest where there is no viseme; equal neighbours become one."""
+    edges: list[tuple[float, str]] = [(0.0, REST)]
+    for block in visemes:
+        edges += [(block.t, _SHAPE_OF.get(block.viseme, CONSONANT)), (block.t + block.d, REST)]
+    edges = [(round(min(time, duration), DECIMALS), shape) for time, shape in edges]
+    lasting = [
+        edge for edge, (following, _) in zip(edges, [*edges[1:], (duration, REST)], strict=True) if following > edge[0]
+    ]
+    starts = [lasting[0], *(after for before, after in itertools.pairwise(lasting) if after[1] != before[1])]
+    return [Cue(time, shape) for time, shape in starts]
+
+
+def to_tsv(cues: list[Cue], duration: float) -> str:
+    """What `from_tsv` reads; at least one cue."""
+    rows = [*cues, Cue(duration, REST)]
+    return "".join(f"{cue.start:.{DECIMALS}f}\t{cue.shape}\n" for cue in rows)
+
+
+def to_json(cues: list[Cue], duration: float, name: str) -> str:
+    """What `from_json` reads; `name` stands for the sound file."""
+    ends = [*(cue.start for cue in cues[1:]), round(duration, DECIMALS)]
+    listed = [{"start": cue.start, "end": end, "value": cue.shape} for cue, end in zip(cues, ends, strict=True)]
+    document = {"metadata": {"soundFile": name, "duration": round(duration, DECIMALS)}, "mouthCues": listed}
+    return json.dumps(document, indent=2, ensure_ascii=False) + "\n"
+
+
 def _cue(start: object, shape: object, place: str) -> Cue:
     if shape not in SHAPES:
         raise _bad(f"The shape {shape!r:.20} in {place} is none of {' '.join(SHAPES)}.")
@@ -84,13 +121,25 @@ def _track(cues: list[Cue], end: float, name: str) -> Track:
     if not cues or n_frames < 1:
         raise _bad(f"{name} has no mouth cues.")
     times = np.arange(n_frames) / FPS
-    knots, shapes = _knots(sorted(cues, key=lambda cue: cue.start))
+    cues = sorted(cues, key=lambda cue: cue.start)
+    knots, shapes = _knots(cues)
     values = np.array([SHAPES[shape] for shape in shapes])
     channels = {
         channel: np.interp(times, knots, values[:, column]).round(4).tolist() for column, channel in enumerate(CHANNELS)
     }
     channels["neutral"] = [1.0] * n_frames  # shapes are those of a mouth that rests closed
-    return Track(name=name, duration=n_frames / FPS, fps=FPS, articulators=channels)
+    data = {"name": name, "duration": n_frames / FPS, "fps": FPS, "articulators": channels}
+    return Track.model_validate(data | {"visemes": _visemes(cues, n_frames / FPS)})
+
+
+def _visemes(cues: list[Cue], end: float) -> list[dict[str, Any]]:
+    """The cues as blocks that an editor shows, each a viseme of much the same shape."""
+    spans = zip(cues, [*(cue.start for cue in cues[1:]), end], strict=True)
+    return [
+        {"t": cue.start, "d": round(stop - cue.start, 3), "viseme": VISEME_OF[cue.shape], "weight": 1.0}
+        for cue, stop in spans
+        if round(stop - cue.start, 3) > 0
+    ]
 
 
 def _knots(cues: list[Cue]) -> tuple[list[float], list[str]]:
