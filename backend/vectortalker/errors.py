@@ -19,6 +19,8 @@ ErrorCode = Literal[
     "queue_full",
     "storage_full",
     "unsupported",
+    "unauthorised",  # the server asks for an access token
+    "unavailable",  # the store of jobs cannot be reached just now
     "cancelled",
     "bad_request",  # HTTP that does not fit the API: unknown route, malformed or oversized body
     "internal",  # a fault of ours, or a worker that died

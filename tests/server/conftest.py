@@ -44,7 +44,7 @@ def services(tmp_path: Path) -> Iterator[Services]:
     (page / "index.html").write_text(PAGE)
     opened = open_services(Settings(data=tmp_path / "data", page=page, max_queued=3, max_body_bytes=2_000_000))
     yield opened
-    opened.jobs.close()
+    opened.close()
 
 
 class Socket:
@@ -82,23 +82,21 @@ def client(services: Services, listening: Socket) -> Iterator[httpx.Client]:
 class Serving:
     """`vectortalker serve` as a process; it can be killed and started again on the same data."""
 
-    def __init__(self, data: Path) -> None:
-        self._data = data
+    def __init__(self, data: Path, *options: str) -> None:
+        self._command = [str(COMMAND), "serve", "--data", str(data), *options]
+        self._n_workers = int(options[options.index("--workers") + 1]) if "--workers" in options else 1
         self.start()
 
     def start(self) -> None:
         port = free_port()
-        self.process = subprocess.Popen(
-            [str(COMMAND), "serve", "--data", str(self._data)],
-            env={**os.environ, "PORT": str(port)},
-        )
+        self.process = subprocess.Popen(self._command, env={**os.environ, "PORT": str(port)})
         self.client = httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=20)
         wait_until(self._is_ready, START_SECONDS)
 
     def _is_ready(self) -> bool:
         assert self.process.poll() is None, "the server ended"
         try:
-            return self.client.get("/api/health").json()["workers"] == 1
+            return self.client.get("/api/health").json()["workers"] >= self._n_workers
         except httpx.TransportError:
             return False
 

@@ -150,7 +150,7 @@ def test_queue_tells_positions_and_its_limit(client: httpx.Client) -> None:
     cancelled = client.delete(f"/api/jobs/{jobs[0]['id']}").json()
     assert cancelled["phase"] == "cancelled" and cancelled["queue_position"] is None
     moved = client.get(f"/api/jobs/{jobs[2]['id']}").json()
-    assert moved["queue_position"] == 1 and moved["revision"] == 2
+    assert moved["queue_position"] == 1 and moved["estimate_s"] < jobs[2]["estimate_s"]
 
 
 def test_full_disk_is_an_answer(client: httpx.Client, services: Services, monkeypatch: pytest.MonkeyPatch) -> None:

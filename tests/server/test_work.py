@@ -11,7 +11,8 @@ from pathlib import Path
 import av
 import httpx
 from vectortalker import schema
-from vectortalker.server.jobs import ENDED
+from vectortalker.server.events import event_id
+from vectortalker.server.record import ENDED
 
 from .conftest import Serving, wait_until
 from .pictures import face_points, picture
@@ -40,7 +41,7 @@ def snapshots(client: httpx.Client, job_id: str, last_seen: int = 0) -> Iterator
             if line.startswith("data: "):
                 snapshot = schema.JobState.model_validate_json(line.removeprefix("data: "))
             elif line.startswith("id: "):
-                assert int(line.removeprefix("id: ")) == snapshot.revision
+                assert line.removeprefix("id: ") == event_id(snapshot)
                 yield snapshot
 
 
@@ -114,31 +115,58 @@ def test_good_enough_keeps_what_is_there(serving: Serving) -> None:
     assert serving.client.get(f"/api/jobs/{job_id}/scene").status_code == 200
 
 
-def test_killed_worker_leaves_its_job_to_the_next_then_fails_it(serving: Serving) -> None:
+def test_killed_worker_leaves_its_job_to_the_next(serving: Serving) -> None:
     job_id = start(serving, LONG_LAST_LEVEL)
     wait_until(lambda: state(serving, job_id).level == 3)
     os.kill(worker_pid(serving), signal.SIGKILL)
     wait_until(lambda: state(serving, job_id).phase == "queued")
-    resumed = snapshots(serving.client, job_id, state(serving, job_id).revision)
-    assert next(seen.level for seen in resumed if seen.stage.startswith("level")) == 3, "finished levels are kept"
-    os.kill(worker_pid(serving), signal.SIGKILL)
-    last = wait_for_end(serving, job_id)
-    assert last.phase == "failed" and last.error is not None and last.error.code == "internal"
-    assert "worker" in last.error.message
+    seen = snapshots(serving.client, job_id)
+    assert next(snapshot.level for snapshot in seen if snapshot.stage.startswith("level")) == 3, "levels are kept"
+    serving.client.post(f"/api/jobs/{job_id}/finish")
+    assert wait_for_end(serving, job_id).phase == "done"
 
 
-def test_killed_server_goes_on_with_its_jobs(tmp_path: Path) -> None:
+def test_job_that_brings_down_worker_and_server_is_set_aside(tmp_path: Path) -> None:
+    """Three starts without a finished level between them; what waits behind it is done."""
     serving = Serving(tmp_path)
-    running, waiting = start(serving, ENDLESS), start(serving, TINY)
-    wait_for_scene(serving, running)
+    poison, waiting = start(serving, ENDLESS), start(serving, TINY)
+    wait_for_scene(serving, poison)
     orphan = worker_pid(serving)
+    os.kill(orphan, signal.SIGSTOP)
+    before = state(serving, poison).revision
     serving.kill()
+    os.kill(orphan, signal.SIGCONT)
     wait_until(lambda: not Path(f"/proc/{orphan}").exists(), 5)
     serving.start()
-    wait_until(lambda: state(serving, running).phase == "running")
-    serving.client.post(f"/api/jobs/{running}/finish")
-    assert wait_for_end(serving, running).phase == "done"
+    wait_until(lambda: state(serving, poison).revision > before + 3, 60)
+    for _ in range(2):
+        wait_until(lambda: state(serving, poison).phase == "running")
+        os.kill(worker_pid(serving), signal.SIGKILL)
+        wait_until(lambda: state(serving, poison).phase != "running")
+    last = state(serving, poison)
+    assert last.phase == "failed" and last.error is not None and last.error.code == "internal"
+    assert "3 times" in last.error.message
     assert wait_for_end(serving, waiting).phase == "done"
+    serving.stop()
+
+
+def test_stopped_server_queues_its_job_without_blame(tmp_path: Path) -> None:
+    serving = Serving(tmp_path)
+    job_id = start(serving, ENDLESS)
+    wait_for_scene(serving, job_id)
+    for _ in range(3):
+        serving.stop()
+        serving.start()
+        wait_until(lambda: state(serving, job_id).phase == "running")
+    serving.client.post(f"/api/jobs/{job_id}/finish")
+    assert wait_for_end(serving, job_id).phase == "done"
+    serving.stop()
+
+
+def test_job_that_no_worker_takes_fails_in_time(tmp_path: Path) -> None:
+    serving = Serving(tmp_path, "--workers", "0", "--no-worker-seconds", "0.5")
+    last = wait_for_end(serving, start(serving, TINY))
+    assert last.phase == "failed" and last.error is not None and last.error.code == "unavailable"
     serving.stop()
 
 

@@ -3,53 +3,111 @@
 from __future__ import annotations
 
 import argparse
+import ipaddress
 import os
+import secrets
 import signal
 import sys
 import threading
-from pathlib import Path
+from typing import TYPE_CHECKING
+
+from vectortalker.cli.sharing import add_sharing_arguments, add_working_arguments, working_settings
+
+if TYPE_CHECKING:
+    import uvicorn
+
+    from vectortalker.server.services import Services
+    from vectortalker.server.settings import Settings
 
 PORT = 8000
 SHUTDOWN_SECONDS = 2  # open event streams are cut after this
+JOIN_SECONDS = 10.0  # for a supervisor that waits for an unreachable store; workers end with the server in any case
 ANY_HOST = ("0.0.0.0", "::")
+LOCAL_NAMES = ("localhost",)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--host", default="127.0.0.1", help="address to listen on (default: %(default)s)")
     parser.add_argument("--port", type=int, default=os.environ.get("PORT", PORT), help="default: PORT, else 8000")
-    parser.add_argument("--data", type=Path, metavar="DIR", help="portraits and jobs; default: VECTORTALKER_DATA")
-    parser.add_argument("--workers", type=int, default=1, help="worker processes (default: %(default)s)")
+    parser.add_argument(
+        "--token",
+        action="append",
+        metavar="TOKEN",
+        help="only who knows it may use the API; may be given more than once; default: VECTORTALKER_TOKEN (several"
+        " parted by commas). Without one, a server that others can reach makes its own and prints it",
+    )
+    add_sharing_arguments(parser)
+    add_working_arguments(parser, default_workers=1)
+    parser.add_argument("--max-queued", type=int, default=500, metavar="N", help="waiting jobs, then 429")
+    parser.add_argument("--max-active", type=int, default=50, metavar="N", help="jobs of one client, then 429")
 
 
 def run(options: argparse.Namespace) -> None:
-    """Until a signal ends it; the workers end with it."""
+    """Until SIGINT or SIGTERM; what the workers are at is queued again."""
+    from vectortalker.server.logs import set_up_logs
+    from vectortalker.server.services import open_services
+    from vectortalker.server.settings import LOOPBACK, Settings
+
+    settings = Settings(
+        **working_settings(options),
+        hosts=() if options.host in ANY_HOST else (*LOOPBACK, options.host),
+        tokens=_tokens(options),
+        max_queued=options.max_queued,
+        max_active=options.max_active,
+    )
+    set_up_logs(settings.json_logs)
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda *_: sys.exit())  # uvicorn raises the signal again when it has shut down
+    services = open_services(settings)
+    _serve(services, _server(services, options.host, options.port), _address(options, settings))
+
+
+def _tokens(options: argparse.Namespace) -> tuple[str, ...]:
+    given = options.token or [token for token in os.environ.get("VECTORTALKER_TOKEN", "").split(",") if token]
+    return tuple(given) if given or _is_loopback(options.host) else (secrets.token_urlsafe(24),)
+
+
+def _is_loopback(host: str) -> bool:
+    if host in LOCAL_NAMES:
+        return True
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return False
+
+
+def _address(options: argparse.Namespace, settings: Settings) -> str:
+    return f"http://{options.host}:{options.port}" + (f"/?token={settings.tokens[0]}" if settings.tokens else "")
+
+
+def _server(services: Services, host: str, port: int) -> uvicorn.Server:
     import uvicorn
 
-    from vectortalker.server import portraits
     from vectortalker.server.app import create_app
-    from vectortalker.server.services import open_services
-    from vectortalker.server.settings import LOOPBACK, Settings, data_folder
-    from vectortalker.server.supervisor import Supervisor
 
-    hosts = () if options.host in ANY_HOST else (*LOOPBACK, options.host)
-    services = open_services(Settings(data_folder(options.data), workers=options.workers, hosts=hosts))
     config = uvicorn.Config(
         create_app(services),
-        host=options.host,
-        port=options.port,
-        log_level="warning",
+        host=host,
+        port=port,
+        log_config=None,
+        access_log=False,
         timeout_graceful_shutdown=SHUTDOWN_SECONDS,
         server_header=False,
     )
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda *_: sys.exit())  # uvicorn raises the signal again when it has shut down
+    return uvicorn.Server(config)
+
+
+def _serve(services: Services, server: uvicorn.Server, address: str) -> None:
+    from vectortalker.server import portraits
+    from vectortalker.server.supervisor import Supervisor
+
     threading.Thread(target=portraits.warm_up, name="warm-up", daemon=True).start()
     stop = threading.Event()
-    supervisor = threading.Thread(target=Supervisor(services).run, args=[stop], name="supervisor")
+    supervisor = threading.Thread(target=Supervisor(services).run, args=[stop], name="supervisor", daemon=True)
     supervisor.start()
-    print(f"VectorTalker: http://{options.host}:{options.port}", flush=True)
+    print(f"VectorTalker: {address}", flush=True)
     try:
-        uvicorn.Server(config).run()
+        server.run()
     finally:
         stop.set()
-        supervisor.join()
+        supervisor.join(JOIN_SECONDS)

@@ -7,9 +7,11 @@ from importlib.metadata import version
 from fastapi import FastAPI
 from fastapi.staticfiles import StaticFiles
 
+from vectortalker.server.access import Gate
 from vectortalker.server.faults import ERROR_RESPONSES, add_fault_handlers
 from vectortalker.server.guards import BodyLimit, ConfiningHeaders, KnownHosts
-from vectortalker.server.routes import health, jobs, portraits, videos
+from vectortalker.server.observed import Figures, Observed
+from vectortalker.server.routes import health, jobs, metrics, portraits, recordings, speech, tracks, videos
 from vectortalker.server.services import Services
 
 
@@ -26,12 +28,15 @@ def create_app(services: Services) -> FastAPI:
         generate_unique_id_function=lambda route: route.name,
     )
     app.state.services = services
-    for routes in (health, portraits, jobs, videos):
+    app.state.figures = Figures(services)
+    for routes in (health, metrics, portraits, jobs, videos, recordings, speech, tracks):
         app.include_router(routes.router)
     if services.settings.page.is_dir():
         app.mount("/", StaticFiles(directory=services.settings.page, html=True))
     add_fault_handlers(app)
     app.add_middleware(BodyLimit, max_bytes=services.settings.max_body_bytes)
+    app.add_middleware(Gate, tokens=services.settings.tokens)
     app.add_middleware(KnownHosts, hosts=services.settings.hosts)
+    app.add_middleware(Observed, figures=app.state.figures)
     app.add_middleware(ConfiningHeaders)
     return app

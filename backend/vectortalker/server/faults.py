@@ -16,19 +16,23 @@ from vectortalker.schema import ApiError
 log = logging.getLogger("vectortalker.server")
 
 STATUS: Mapping[ErrorCode, int] = {
+    "unauthorised": 401,
     "not_found": 404,
     "cancelled": 409,
     "picture_too_large": 413,
     "queue_full": 429,
     "internal": 500,
+    "unavailable": 503,
     "storage_full": 507,
     "bad_request": 400,
 }
 INPUT_STATUS = 422  # all other codes: the request was understood, its content is at fault
+RETRY_AFTER: Mapping[ErrorCode, str] = {"queue_full": "30", "unavailable": "5"}  # seconds
 CODE_OF_FIELD: Mapping[str, ErrorCode] = {
     "landmarks": "bad_landmarks",
     "track": "bad_track",
     "scene": "bad_project",
+    "visemes": "bad_track",
     "options": "bad_option",
 }
 ERROR_RESPONSES: dict[int | str, dict[str, object]] = {
@@ -42,7 +46,8 @@ class StreamEndedError(Exception):
 
 def answer(error: VectorTalkerError, status: int | None = None) -> JSONResponse:
     body = ApiError(code=error.code, message=error.message)
-    return JSONResponse(body.model_dump(), status or STATUS.get(error.code, INPUT_STATUS))
+    headers = {"Retry-After": RETRY_AFTER[error.code]} if error.code in RETRY_AFTER else None
+    return JSONResponse(body.model_dump(), status or STATUS.get(error.code, INPUT_STATUS), headers)
 
 
 def add_fault_handlers(app: FastAPI) -> None:
@@ -66,6 +71,7 @@ def add_fault_handlers(app: FastAPI) -> None:
 
     @app.exception_handler(Exception)
     async def _unexpected(_: Request, error: Exception) -> Response:
+        log.error("a request failed", exc_info=error)
         message = f"The server failed on this request ({type(error).__name__}): try again."
         return answer(VectorTalkerError("internal", message))
 

@@ -1,49 +1,38 @@
-"""The jobs table: the one place where the server's state lives.
+"""The jobs: the one place where the server's state lives.
 
 A job goes queued → running → done | failed, and from either of the first two to cancelled. Each change stores a whole
 `JobState` under the next revision. A worker *holds* the job it works on, also for the moment between a cancel and its
-next step; the lease that its supervisor renews tells when it is gone.
+next step. Workers have leases that their supervisor renews; what a worker without a lease holds is queued again, by
+whichever supervisor notices first.
 """
 
 from __future__ import annotations
 
-import sqlite3
+import random
 import time
-from dataclasses import dataclass
-from pathlib import Path
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from vectortalker.errors import VectorTalkerError
-from vectortalker.schema import ApiError, JobState
-from vectortalker.server.database import Database
+from vectortalker.schema import JobState
+from vectortalker.server import record as records
+from vectortalker.server import transitions
+from vectortalker.server.record import ENDED, HELD_CANCELLED, Kind, Record
+from vectortalker.server.store import Change, Store
 
-Kind = Literal["vectorize", "video"]
 Wish = Literal["go_on", "finish", "stop"]  # what the user wants of a running job
 
-ENDED = ("done", "failed", "cancelled")
-LEASE_SECONDS = 10.0  # supervisors renew every second; a server that died is noticed after this
-MAX_DEATHS = 2  # of workers, on one job
-ORPHAN_SECONDS = 5.0  # a queued job without a queue entry is entered again after this
+LEASE_SECONDS = 10.0  # supervisors renew every second; one that died is noticed after this
+ORPHAN_SECONDS = 5.0  # a queued job that the queue does not know is entered again after this
+MAX_CONFLICTS = 100  # of one change with those of others; each time somebody else got on
+CONFLICT_SECONDS = 0.005  # mean wait after one
+EXPECTED_SECONDS = 30.0  # of a job before any of its kind was done
+NEWEST_SHARE = 0.2  # of the last job in the running mean of durations
+CLAIM_CANDIDATES = 8  # other workers may take the first few at the same moment
 
-TABLES = """
-CREATE TABLE IF NOT EXISTS jobs (
-    sequence INTEGER PRIMARY KEY,
-    id TEXT NOT NULL UNIQUE,
-    kind TEXT NOT NULL,
-    portrait_id TEXT,
-    phase TEXT NOT NULL,
-    state TEXT NOT NULL,               -- JobState; its queue position is counted on reading
-    finish INTEGER NOT NULL DEFAULT 0,
-    deaths INTEGER NOT NULL DEFAULT 0, -- of workers that held it
-    holder TEXT,                       -- worker
-    lease REAL NOT NULL DEFAULT 0,     -- epoch seconds
-    started REAL NOT NULL DEFAULT 0,
-    changed REAL NOT NULL
-);
-CREATE INDEX IF NOT EXISTS jobs_by_phase ON jobs (phase, sequence);
-CREATE INDEX IF NOT EXISTS jobs_by_portrait ON jobs (portrait_id);
-CREATE TABLE IF NOT EXISTS workers (name TEXT PRIMARY KEY, lease REAL NOT NULL);
-"""
+LEASES = "leases"  # index of workers by the end of their lease, epoch seconds
+READY = "ready"  # index of workers that have loaded everything
 
 
 @dataclass(frozen=True)
@@ -55,207 +44,225 @@ class Held:
 
 
 class Jobs:
-    def __init__(self, path: Path) -> None:
-        self._database = Database(path, TABLES)
+    """`max_attempts` starts of a job without a finished level between them, then it is set aside as failed."""
+
+    def __init__(self, store: Store, max_attempts: int) -> None:
+        self._store = store
+        self._max_attempts = max_attempts
 
     # ------------------------------------------------------------ for the routes
 
-    def check_room(self, max_queued: int) -> None:
-        """Raises `queue_full`."""
+    def check_room(self, client: str, max_queued: int, max_active: int) -> None:
+        """Raises `queue_full`: too many jobs wait, or too many of this client wait or run."""
         queued = self.count("queued")
         if queued >= max_queued:
             raise VectorTalkerError(
                 "queue_full", f"{queued} jobs are waiting; the limit is {max_queued}: try again in a few minutes."
             )
-
-    def create(self, job_id: str, kind: Kind, portrait_id: str | None) -> JobState:
-        """A new queued job."""
-        state = JobState(
-            id=job_id,
-            revision=1,
-            phase="queued",
-            stage="waiting",
-            level=0,
-            levels=0,
-            n_paths=0,
-            progress=0,
-            elapsed_seconds=0,
-            remaining_seconds=None,
-            queue_position=None,
-            scene_revision=0,
-        )
-        with self._database.change() as sql:
-            sql.execute(
-                "INSERT INTO jobs (id, kind, portrait_id, phase, state, changed) VALUES (?, ?, ?, 'queued', ?, ?)",
-                (job_id, kind, portrait_id, state.model_dump_json(), time.time()),
+        active = self._store.count(records.active_index(client))
+        if active >= max_active:
+            raise VectorTalkerError(
+                "queue_full", f"You have {active} jobs waiting or running; the limit is {max_active}: wait for one."
             )
+
+    def create(self, job_id: str, kind: Kind, portrait_id: str | None, client: str) -> JobState:
+        """A new queued job."""
+        state = transitions.initial(job_id)
+        sequence = self._store.count_up("jobs")
+        self._insert(Record(job_id, kind, portrait_id, client, sequence, state, time.time()))
+        return self.get(job_id)
+
+    def create_done(self, job_id: str, kind: Kind, portrait_id: str | None, client: str, **fields: object) -> JobState:
+        """A job whose result was known already."""
+        ending = {"phase": "done", "stage": "done", "progress": 1, "remaining_seconds": 0, "revision": 1}
+        state = JobState.model_validate({**transitions.initial(job_id).model_dump(), **ending, **fields})
+        self._insert(Record(job_id, kind, portrait_id, client, self._store.count_up("jobs"), state, time.time()))
         return self.get(job_id)
 
     def get(self, job_id: str) -> JobState:
         """The latest snapshot. Raises `not_found`."""
-        rows = self._database.rows(
-            "SELECT state, phase, (SELECT count(*) FROM jobs ahead WHERE ahead.phase = 'queued'"
-            " AND ahead.sequence < jobs.sequence) AS ahead FROM jobs WHERE id = ?",
-            job_id,
-        )
-        state = JobState.model_validate_json(_only(rows, job_id)["state"])
-        return state.model_copy(update={"queue_position": rows[0]["ahead"]}) if state.phase == "queued" else state
+        record = self._known(job_id)
+        if record.state.phase == "running":
+            return record.state.model_copy(update={"estimate_s": record.state.remaining_seconds})
+        if record.state.phase != "queued":
+            return record.state
+        ahead = self._store.count(records.phase_index("queued"), below=record.sequence)
+        computed = {"queue_position": ahead, "estimate_s": self._estimate(record.kind, ahead)}
+        return record.state.model_copy(update=computed)
 
     def finish(self, job_id: str) -> JobState:
         """Ask a job to end with what it has, at its next step; a job that has ended stays as it is."""
-        with self._database.change() as sql:
-            sql.execute("UPDATE jobs SET finish = 1 WHERE id = ?", (job_id,))
+        self._known(job_id)
+        self._change(job_id, lambda job: replace(job, finish=True))
         return self.get(job_id)
 
     def cancel(self, job_id: str) -> JobState:
         """Cancelled from now on; the worker that holds it stops at its next step or is killed."""
-        with self._database.change() as sql:
-            row = _row(sql, job_id)
-            if row["phase"] not in ENDED:
-                _store(sql, row, phase="cancelled", stage="cancelled", remaining_seconds=None)
-                _move_queue(sql)
+        self._known(job_id)
+        self._change(job_id, transitions.cancelled)
         return self.get(job_id)
 
     def of_portrait(self, portrait_id: str) -> list[str]:
-        return [row["id"] for row in self._database.rows("SELECT id FROM jobs WHERE portrait_id = ?", portrait_id)]
+        return self._store.members(records.portrait_index(portrait_id))
 
     def forget(self, job_id: str) -> None:
-        """Remove a job that nobody holds; a held one, cancelled before, stays until its worker lets go."""
-        with self._database.change() as sql:
-            sql.execute("DELETE FROM jobs WHERE id = ? AND holder IS NULL", (job_id,))
+        """Cancel a job and remove it; one that is held is gone for all but its worker, until that lets go."""
+        self._change(job_id, lambda job: replace(transitions.cancelled(job), forgotten=True) if job.holder else None)
 
     def count(self, phase: str) -> int:
-        return self._database.rows("SELECT count(*) AS n FROM jobs WHERE phase = ?", phase)[0]["n"]
+        return self._store.count(records.phase_index(phase))
+
+    def ended(self, phase: str) -> int:
+        """How many jobs have ever ended so."""
+        return self._store.number(f"ended:{phase}")
 
     def ready_workers(self) -> int:
-        return self._database.rows("SELECT count(*) AS n FROM workers WHERE lease > ?", time.time())[0]["n"]
+        expired = set(self._store.members(LEASES, below=time.time()))
+        leased = set(self._store.members(LEASES)) - expired
+        return len(leased & set(self._store.members(READY)))
 
     # ------------------------------------------------------------ for workers
 
     def enlist(self, worker: str) -> None:
         """The worker has loaded everything and waits for jobs."""
-        with self._database.change() as sql:
-            sql.execute("INSERT OR REPLACE INTO workers VALUES (?, ?)", (worker, time.time() + LEASE_SECONDS))
+        lease = time.time() + LEASE_SECONDS
+        self._store.commit(Change(ranks={(LEASES, worker): lease, (READY, worker): 0.0}))
 
-    def claim(self, job_id: str, worker: str) -> Kind | None:
-        """Take a queued job; None if it was cancelled, forgotten or taken meanwhile."""
-        now = time.time()
-        with self._database.change() as sql:
-            row = sql.execute("SELECT * FROM jobs WHERE id = ? AND phase = 'queued'", (job_id,)).fetchone()
-            if row is None:
-                return None
-            sql.execute(
-                "UPDATE jobs SET holder = ?, lease = ?, started = ? WHERE id = ?",
-                (worker, now + LEASE_SECONDS, now, job_id),
-            )
-            _store(sql, row, phase="running", stage="starting")
-            _move_queue(sql)
-        return row["kind"]
+    def claim(self, worker: str) -> Record | None:
+        """Take the job that came first; None if nothing waits. The attempt is counted before it begins."""
+        self.enlist(worker)  # so that no job is ever held without a lease
+        held = self._store.members(records.holder_index(worker))  # an answer of the store was lost on the way
+        for job_id in [*held, *self._store.members(records.phase_index("queued"), limit=CLAIM_CANDIDATES)]:
+            taken = self._change(job_id, lambda job: transitions.claimed(job, worker))
+            if taken is not None and taken.holder == worker and taken.state.phase == "running":
+                return taken
+        return None
 
     def wish(self, job_id: str, worker: str) -> Wish:
-        rows = self._database.rows("SELECT phase, finish, holder FROM jobs WHERE id = ?", job_id)
-        if not rows or rows[0]["phase"] != "running" or rows[0]["holder"] != worker:
+        record = self._find(job_id)
+        if record is None or record.state.phase != "running" or record.holder != worker:
             return "stop"
-        return "finish" if rows[0]["finish"] else "go_on"
+        return "finish" if record.finish else "go_on"
 
     def is_unwanted(self, job_id: str) -> bool:
         """Cancelled or forgotten: nobody will ask for its files."""
-        rows = self._database.rows("SELECT phase FROM jobs WHERE id = ?", job_id)
-        return not rows or rows[0]["phase"] == "cancelled"
+        record = self._find(job_id)
+        return record is None or record.forgotten or record.state.phase == "cancelled"
 
     def report(self, job_id: str, worker: str, **fields: object) -> None:
         """Store the next snapshot of a running job; nothing if it is no longer this worker's to run."""
-        with self._database.change() as sql:
-            row = sql.execute(
-                "SELECT * FROM jobs WHERE id = ? AND phase = 'running' AND holder = ?", (job_id, worker)
-            ).fetchone()
-            if row is not None:
-                _store(sql, row, elapsed_seconds=round(time.time() - row["started"], 2), **fields)
+        self._change(job_id, lambda job: transitions.reported(job, worker, fields))
+
+    def got_on(self, job_id: str, worker: str) -> None:
+        """A level was finished and stored: what happens from here on is no repetition."""
+        self._change(job_id, lambda job: replace(job, attempts=1) if job.holder == worker else job)
 
     def release(self, job_id: str, worker: str) -> None:
         """Let go of a job, however it ended."""
-        with self._database.change() as sql:
-            sql.execute("UPDATE jobs SET holder = NULL WHERE id = ? AND holder = ?", (job_id, worker))
+        self._change(job_id, lambda job: transitions.let_go(job) if job.holder == worker else job)
 
     # ------------------------------------------------------------ for supervisors
 
     def renew(self, workers: list[str]) -> None:
         """The workers are alive: they and what they hold have another lease."""
         lease = time.time() + LEASE_SECONDS
-        with self._database.change() as sql:
-            for worker in workers:
-                sql.execute("UPDATE workers SET lease = ? WHERE name = ?", (lease, worker))
-                sql.execute("UPDATE jobs SET lease = ? WHERE holder = ?", (lease, worker))
+        self._store.commit(Change(ranks={(LEASES, worker): lease for worker in workers}))
 
     def stubborn(self, seconds: float) -> list[Held]:
         """Jobs that were cancelled more than `seconds` ago and are still held."""
-        rows = self._database.rows(
-            "SELECT id, holder FROM jobs WHERE phase = 'cancelled' AND holder IS NOT NULL AND changed < ?",
-            time.time() - seconds,
-        )
-        return [Held(row["id"], row["holder"]) for row in rows]
+        found = [self._find(job_id) for job_id in self._store.members(HELD_CANCELLED, below=time.time() - seconds)]
+        return [Held(record.id, record.holder) for record in found if record and record.holder]
 
-    def blame(self, worker: str) -> None:
-        """The worker died by itself, perhaps of what it was doing."""
-        with self._database.change() as sql:
-            sql.execute("UPDATE jobs SET deaths = deaths + 1 WHERE holder = ?", (worker,))
+    def dismiss(self, worker: str, *, by_intention: bool = False) -> list[str]:
+        """The worker is gone; what it held is queued again, or fails if it was started too often.
 
-    def dismiss(self, worker: str) -> None:
-        """The worker is gone: its lease ends now."""
-        with self._database.change() as sql:
-            sql.execute("DELETE FROM workers WHERE name = ?", (worker,))
-            sql.execute("UPDATE jobs SET lease = 0 WHERE holder = ?", (worker,))
+        A worker that was ended `by_intention` is not the fault of its job: the attempt does not count. Returns what was
+        queued.
+        """
+        held = self._store.members(records.holder_index(worker))
+        changed = [
+            self._change(job_id, lambda job: transitions.abandoned(job, worker, self._max_attempts, by_intention))
+            for job_id in held
+        ]
+        self._store.commit(Change(ranks={(LEASES, worker): None, (READY, worker): None}))
+        return [record.id for record in changed if record and record.state.phase == "queued"]
 
     def recover(self) -> list[str]:
-        """Queue the jobs of workers that are gone again, and return them; fail those that too many died of."""
-        now = time.time()
-        if not self._database.rows("SELECT 1 FROM jobs WHERE holder IS NOT NULL AND lease < ? LIMIT 1", now):
-            return []
-        queued = []
-        with self._database.change() as sql:
-            for row in sql.execute("SELECT * FROM jobs WHERE holder IS NOT NULL AND lease < ?", (now,)).fetchall():
-                sql.execute("UPDATE jobs SET holder = NULL WHERE id = ?", (row["id"],))
-                if row["phase"] == "running" and row["deaths"] < MAX_DEATHS:
-                    _store(sql, row, phase="queued", stage="waiting after its worker stopped")
-                    queued.append(row["id"])
-                elif row["phase"] == "running":
-                    message = f"The worker stopped unexpectedly {MAX_DEATHS} times on this job: try other options."
-                    _store(sql, row, phase="failed", stage="failed", error=ApiError(code="internal", message=message))
-        return queued
+        """Dismiss the workers whose lease has run out; what is queued again."""
+        return [job_id for worker in self._store.members(LEASES, below=time.time()) for job_id in self.dismiss(worker)]
 
-    def orphans(self) -> list[str]:
-        """Queued jobs that have waited long enough to have been seen by an idle worker."""
-        rows = self._database.rows(
-            "SELECT id FROM jobs WHERE phase = 'queued' AND changed < ? ORDER BY sequence",
-            time.time() - ORPHAN_SECONDS,
+    def waiting(self, seconds: float) -> list[str]:
+        """Jobs that are queued for longer than `seconds`, in their order."""
+        since = time.time() - seconds
+        found = [self._find(job_id) for job_id in self._store.members(records.phase_index("queued"))]
+        return [record.id for record in found if record and record.changed < since]
+
+    def fail_waiting(self, job_id: str, message: str) -> None:
+        """Set a queued job aside."""
+        self._change(
+            job_id,
+            lambda job: transitions.failed(job, "unavailable", message) if job.state.phase == "queued" else job,
         )
-        return [row["id"] for row in rows]
 
-    def close(self) -> None:
-        self._database.close()
+    def unchanged_since(self, epoch_seconds: float) -> list[str]:
+        return self._store.members(records.ALL, below=epoch_seconds)
+
+    # ------------------------------------------------------------ with the store
+
+    def _find(self, job_id: str) -> Record | None:
+        (text,) = self._store.read([records.document(job_id)])
+        return records.read(text) if text is not None else None
+
+    def _known(self, job_id: str) -> Record:
+        record = self._find(job_id)
+        if record is None or record.forgotten:
+            raise VectorTalkerError("not_found", f"Job {job_id} is not known (any more): start it again.")
+        return record
+
+    def _insert(self, record: Record) -> None:
+        inserted = self._store.commit(records.replacing(None, record))
+        assert inserted, record.id
+
+    def _change(self, job_id: str, transition: Callable[[Record], Record | None]) -> Record | None:
+        """Apply `transition` to what is stored, again if others were quicker; None from it removes the job.
+
+        Returns the job afterwards, None if there is none.
+        """
+        for _ in range(MAX_CONFLICTS):
+            (text,) = self._store.read([records.document(job_id)])
+            if text is None:
+                return None
+            before = records.read(text)
+            after = transition(before)
+            if after == before:
+                return after
+            if after is not None:
+                after = replace(after, changed=time.time())
+            if self._store.commit(records.replacing(text, after)):
+                self._count_end(before, after)
+                return after
+            time.sleep(random.uniform(0, 2 * CONFLICT_SECONDS))
+        raise VectorTalkerError("unavailable", f"Job {job_id} is being changed by too many at once: try again.")
+
+    def _count_end(self, before: Record, after: Record | None) -> None:
+        """Counters of ends, and the mean duration of what was done."""
+        if after is None or after.state.phase == before.state.phase or after.state.phase not in ENDED:
+            return
+        self._store.count_up(f"ended:{after.state.phase}")
+        if after.state.phase == "done":
+            mean, last = self._mean_seconds(after.kind), after.state.elapsed_seconds
+            mean = last if mean is None else mean + NEWEST_SHARE * (last - mean)
+            self._store.commit(Change(values={_duration(after.kind): repr(mean)}))
+
+    def _mean_seconds(self, kind: Kind) -> float | None:
+        (text,) = self._store.read([_duration(kind)])
+        return float(text) if text is not None else None
+
+    def _estimate(self, kind: Kind, ahead: int) -> float:
+        """Seconds until a queued job is done, if all took as long as recent ones of its kind."""
+        rounds = (ahead + self.count("running")) // max(1, self.ready_workers()) + 1
+        return round(rounds * (self._mean_seconds(kind) or EXPECTED_SECONDS), 1)
 
 
-def _only(rows: list[sqlite3.Row], job_id: str) -> sqlite3.Row:
-    if not rows:
-        raise VectorTalkerError("not_found", f"Job {job_id} is not known (any more): start it again.")
-    return rows[0]
-
-
-def _row(sql: sqlite3.Connection, job_id: str) -> sqlite3.Row:
-    return _only(sql.execute("SELECT * FROM jobs WHERE id = ?", (job_id,)).fetchall(), job_id)
-
-
-def _store(sql: sqlite3.Connection, row: sqlite3.Row, **fields: object) -> None:
-    """Write `fields` over the row's snapshot as its next revision."""
-    before = JobState.model_validate_json(row["state"])
-    after = JobState.model_validate({**before.model_dump(), **fields, "revision": before.revision + 1})
-    sql.execute(
-        "UPDATE jobs SET state = ?, phase = ?, changed = ? WHERE id = ?",
-        (after.model_dump_json(), after.phase, time.time(), row["id"]),
-    )
-
-
-def _move_queue(sql: sqlite3.Connection) -> None:
-    """Somebody left the queue: those behind have a new position, hence a new revision."""
-    for row in sql.execute("SELECT * FROM jobs WHERE phase = 'queued'").fetchall():
-        _store(sql, row)
+def _duration(kind: Kind) -> str:
+    return f"mean_seconds:{kind}"

@@ -26,7 +26,7 @@ def document() -> dict[str, Any]:
     with tempfile.TemporaryDirectory() as folder:
         services = open_services(Settings(data=Path(folder)))
         routes = create_app(services).openapi()
-        services.jobs.close()
+        services.close()
     _, stored = models_json_schema(
         [(model, "validation") for model in STORED], ref_template="#/components/schemas/{model}"
     )

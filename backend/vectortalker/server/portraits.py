@@ -1,9 +1,13 @@
-"""Portraits among the blobs: the file as it came, its normalised picture, its description and its faces."""
+"""Portraits: the file as it came, its normalised picture, its description and its faces among the blobs.
+
+An id is 128 random bits: who knows it may see the picture, nobody can guess it, and nothing lists them.
+"""
 
 from __future__ import annotations
 
 import io
 import secrets
+import time
 
 import numpy as np
 from PIL import Image
@@ -11,12 +15,15 @@ from PIL import Image
 from vectortalker import decode, schema
 from vectortalker.errors import VectorTalkerError
 from vectortalker.server.blobs import Blobs
+from vectortalker.server.cache import digest
+from vectortalker.server.store import Change, Store
 
 MAX_NAME = 120
+USED = "portraits"  # index of portraits by their last use
 PNG_COMPRESSION = 1  # half the time of the default for a tenth more bytes
 
 
-def add(blobs: Blobs, data: bytes, filename: str) -> schema.Portrait:
+def add(store: Store, blobs: Blobs, data: bytes, filename: str) -> schema.Portrait:
     """Decode and keep a picture. Raises `bad_picture`, `picture_too_large` or `storage_full`."""
     decoded = decode.decode(data, display_name(filename))
     portrait = schema.Portrait(
@@ -26,10 +33,21 @@ def add(blobs: Blobs, data: bytes, filename: str) -> schema.Portrait:
         height=decoded.height,
         notices=list(decoded.notices),
     )
+    note_use(store, portrait.id)
     blobs.put(_key(portrait.id, "source"), data)
+    blobs.put(_key(portrait.id, "digest"), digest(data).encode())
     blobs.put(_key(portrait.id, "image.png"), _png(decoded))
     blobs.put(_key(portrait.id, "portrait.json"), portrait.model_dump_json().encode())
     return portrait
+
+
+def note_use(store: Store, portrait_id: str) -> None:
+    """It is kept from now on for the time that portraits are kept."""
+    store.commit(Change(ranks={(USED, portrait_id): time.time()}))
+
+
+def unused_since(store: Store, epoch_seconds: float) -> list[str]:
+    return store.members(USED, below=epoch_seconds)
 
 
 def describe(blobs: Blobs, portrait_id: str) -> schema.Portrait:
@@ -44,6 +62,11 @@ def load(blobs: Blobs, portrait_id: str) -> decode.Portrait:
     """The pixels, from the file as it came. Raises `not_found`."""
     name = describe(blobs, portrait_id).name
     return decode.decode(blobs.get(_key(portrait_id, "source")), name)
+
+
+def picture(blobs: Blobs, portrait_id: str) -> str:
+    """Digest of the file as it came. Raises `not_found`."""
+    return blobs.get(_key(portrait_id, "digest")).decode()
 
 
 def image(blobs: Blobs, portrait_id: str) -> bytes:
@@ -73,17 +96,16 @@ def warm_up() -> None:
     landmarks.detect(np.full((64, 64, 3), 128, np.uint8))
 
 
-def delete(blobs: Blobs, portrait_id: str) -> None:
-    """Raises `not_found`."""
-    describe(blobs, portrait_id)
+def delete(store: Store, blobs: Blobs, portrait_id: str) -> None:
     blobs.delete_folder(f"portraits/{portrait_id}")
+    store.commit(Change(ranks={(USED, portrait_id): None}))
 
 
-def display_name(filename: str) -> str:
+def display_name(filename: str, default: str = "portrait") -> str:
     """The last part of a client's file name, printable and short; it is shown and never used as a path."""
     last = filename.replace("\\", "/").rpartition("/")[2]
     printable = "".join(character for character in last if character.isprintable()).strip()
-    return printable[-MAX_NAME:] or "portrait"
+    return printable[-MAX_NAME:] or default
 
 
 def _key(portrait_id: str, name: str) -> str:

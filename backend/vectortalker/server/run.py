@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
-import os
-import socket
+import logging
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import TypeVar
 
+from vectortalker.errors import VectorTalkerError
 from vectortalker.server.services import Services
+
+OUTAGE_SECONDS = 60.0  # for which a job waits for a store that cannot be reached
+RETRY_SECONDS = 0.5
+
+T = TypeVar("T")
+log = logging.getLogger("vectortalker.worker")
 
 MIN_FRACTION = 0.02  # below this an estimate of the remaining time is noise
 
@@ -29,14 +37,18 @@ class Run:
 
     def wants_finish(self) -> bool:
         """Whether what there is is good enough for the user. Raises `StoppedError`."""
-        wish = self.services.jobs.wish(self.job_id, self.worker)
+        wish = patiently(lambda: self.services.jobs.wish(self.job_id, self.worker))
         if wish == "stop":
             raise StoppedError
         return wish == "finish"
 
+    def got_on(self) -> None:
+        """A level is finished and stored: a new worker would go on from there."""
+        patiently(lambda: self.services.jobs.got_on(self.job_id, self.worker))
+
     def report(self, **fields: object) -> None:
         """Store the next snapshot."""
-        self.services.jobs.report(self.job_id, self.worker, **fields)
+        patiently(lambda: self.services.jobs.report(self.job_id, self.worker, **fields))
 
     def report_fraction(self, fraction: float, **fields: object) -> None:
         """Store the next snapshot with a progress in [0, 1] and the time that remains if it goes on as it went."""
@@ -50,9 +62,14 @@ def folder(job_id: str) -> str:
     return f"jobs/{job_id}"
 
 
-def worker_name(pid: int) -> str:
-    return f"{socket.gethostname()}-{pid}"
-
-
-def this_worker() -> str:
-    return worker_name(os.getpid())
+def patiently(ask: Callable[[], T]) -> T:
+    """What `ask` returns, asked again for a while if the store is unavailable."""
+    deadline = time.monotonic() + OUTAGE_SECONDS
+    while True:
+        try:
+            return ask()
+        except VectorTalkerError as error:
+            if error.code != "unavailable" or time.monotonic() > deadline:
+                raise
+            log.warning("%s", error.message)
+            time.sleep(RETRY_SECONDS)

@@ -1,38 +1,64 @@
-"""What routes, workers and supervisors share: settings, blobs, the jobs table and the queue in front of it."""
+"""What routes, workers and supervisors share: settings, store, blobs, jobs, cache, and the queue that wakes workers."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from huey import Huey, SqliteHuey
+from huey import Huey, RedisHuey, SqliteHuey
 
+from vectortalker.errors import VectorTalkerError
 from vectortalker.server.blobs import Blobs
+from vectortalker.server.cache import Cache
 from vectortalker.server.jobs import Jobs
+from vectortalker.server.redis_store import RedisStore
 from vectortalker.server.settings import Settings
+from vectortalker.server.sqlite_store import SqliteStore
+from vectortalker.server.store import Store
+
+QUEUE = "vectortalker"
 
 
 @dataclass(frozen=True)
 class Services:
-    """`enqueue` puts a job of the table into the queue; twice is harmless, for it can be claimed only once."""
+    """`wake` tells some idle worker that a job waits; once too often is harmless, too seldom costs a second."""
 
     settings: Settings
+    store: Store
     blobs: Blobs
     jobs: Jobs
+    cache: Cache
     queue: Huey
-    enqueue: Callable[[str], object]
+    wake: Callable[[], object]
+
+    def close(self) -> None:
+        self.store.close()
 
 
-def open_services(settings: Settings) -> Services:
-    blobs = Blobs(settings.data / "blobs", settings.min_free_bytes)
-    jobs = Jobs(settings.data / "jobs.sqlite")
-    queue = SqliteHuey("vectortalker", results=False, filename=str(settings.data / "queue.sqlite"))
+def open_services(settings: Settings, worker: str | None = None) -> Services:
+    """`worker` is the name of this process if it is to do jobs. Raises `bad_option` for URLs that are none."""
+    store, queue = _shared(settings.redis) if settings.redis else _embedded(settings)
+    blobs = Blobs(settings.blobs or str(settings.data / "blobs"), settings.min_free_bytes)
+    jobs = Jobs(store, settings.max_attempts)
 
-    @queue.task(name="run_job")
-    def run_job(job_id: str) -> None:
-        from vectortalker.server.work import do_job  # imports torch: seconds that only a worker has to spend
+    @queue.task(name="do_next")
+    def do_next() -> None:
+        from vectortalker.server.work import do_next  # imports torch: seconds that only a worker has to spend
 
-        do_job(services, job_id)
+        assert worker is not None
+        do_next(services, worker)
 
-    services = Services(settings, blobs, jobs, queue, run_job)
+    services = Services(settings, store, blobs, jobs, Cache(store, blobs, settings.max_cache_bytes), queue, do_next)
     return services
+
+
+def _embedded(settings: Settings) -> tuple[Store, Huey]:
+    store = SqliteStore(settings.data / "state.sqlite")
+    return store, SqliteHuey(QUEUE, results=False, filename=str(settings.data / "queue.sqlite"))
+
+
+def _shared(url: str) -> tuple[Store, Huey]:
+    try:
+        return RedisStore(url), RedisHuey(QUEUE, results=False, url=url)
+    except ValueError as error:
+        raise VectorTalkerError("bad_option", f"{url} is no URL of Redis: give redis://HOST:PORT/NUMBER.") from error

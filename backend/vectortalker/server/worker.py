@@ -2,37 +2,67 @@
 
 from __future__ import annotations
 
+import logging
 import os
+import sqlite3
 import sys
 import threading
 import time
-from pathlib import Path
 
 import numpy as np
+import redis
+from pydantic import TypeAdapter
 
 from vectortalker import decode
+from vectortalker.errors import VectorTalkerError
 from vectortalker.schema import VectorizeOptions
-from vectortalker.server.run import this_worker
-from vectortalker.server.services import open_services
+from vectortalker.server.logs import set_up_logs
+from vectortalker.server.run import patiently
+from vectortalker.server.services import Services, open_services
 from vectortalker.server.settings import Settings
+from vectortalker.server.work import do_next
 from vectortalker.vectorize import vectorize
 
 IDLE_SECONDS = 0.05
+LOOK_SECONDS = 2.0  # a worker that was not called looks for jobs by itself, since a call may be lost
+OUTAGE_SECONDS = 1.0
+OUTAGES = (sqlite3.Error, redis.RedisError, OSError)
 WARM_UP = VectorizeOptions(paths=8, levels=1, iterations=1, final_iterations=1, working_size=64)
+
+log = logging.getLogger("vectortalker.worker")
 
 
 def main() -> None:
-    """`python -m vectortalker.server.worker DATA`, with the supervisor at the other end of stdin."""
+    """`python -m vectortalker.server.worker NAME`; the first line of stdin holds the settings, then it stays open."""
+    name, settings = sys.argv[1], TypeAdapter(Settings).validate_json(sys.stdin.readline())
     threading.Thread(target=_exit_with_supervisor, daemon=True).start()
-    services = open_services(Settings(data=Path(sys.argv[1])))
+    set_up_logs(settings.json_logs)
+    services = open_services(settings, name)
     _warm_up()
-    services.jobs.enlist(this_worker())
+    patiently(lambda: services.jobs.enlist(name))
+    log.info("ready", extra={"worker": name})
+    looked = 0.0
     while True:
-        task = services.queue.dequeue()
-        if task is None:
-            time.sleep(IDLE_SECONDS)
-        else:
-            services.queue.execute(task)
+        try:
+            if not _do_called(services) and time.monotonic() - looked > LOOK_SECONDS:
+                looked = time.monotonic()
+                do_next(services, name)
+        except OUTAGES:
+            log.warning("the queue does not answer")
+            time.sleep(OUTAGE_SECONDS)
+        except VectorTalkerError as error:
+            log.warning("%s", error.message)
+            time.sleep(OUTAGE_SECONDS)
+
+
+def _do_called(services: Services) -> bool:
+    """Whether there was a call for a worker."""
+    task = services.queue.dequeue()
+    if task is None:
+        time.sleep(IDLE_SECONDS)
+        return False
+    services.queue.execute(task)
+    return True
 
 
 def _warm_up() -> None:
@@ -43,7 +73,7 @@ def _warm_up() -> None:
 
 
 def _exit_with_supervisor() -> None:
-    """The supervisor never writes: the end of stdin is the end of the supervisor."""
+    """The supervisor writes no more: the end of stdin is the end of the supervisor."""
     sys.stdin.read()
     os._exit(0)
 

@@ -2,11 +2,19 @@
 
 /** What the server answers instead of a value; `message` is one sentence for the user. */
 export type ApiError = {
-  code: 'bad_picture' | 'picture_too_large' | 'bad_option' | 'bad_landmarks' | 'bad_project' | 'bad_track' | 'bad_audio' | 'not_found' | 'queue_full' | 'storage_full' | 'unsupported' | 'cancelled' | 'bad_request' | 'internal';
+  code: 'bad_picture' | 'picture_too_large' | 'bad_option' | 'bad_landmarks' | 'bad_project' | 'bad_track' | 'bad_audio' | 'not_found' | 'queue_full' | 'storage_full' | 'unsupported' | 'unauthorised' | 'unavailable' | 'cancelled' | 'bad_request' | 'internal';
   message: string;
 };
 
 export type Body_add_portrait = {
+  file: string;
+};
+
+export type Body_add_recording = {
+  file: string;
+};
+
+export type Body_import_track = {
   file: string;
 };
 
@@ -37,6 +45,9 @@ export type Health = {
   workers: number;
   queued: number;
   running: number;
+  store: 'sqlite' | 'redis';
+  free_bytes: number | null;
+  limits: Limits;
 };
 
 export type Iris = {
@@ -44,16 +55,20 @@ export type Iris = {
   radius: number;
 };
 
-/** Landmarks None: no face; the picture becomes back and fore only as far as segmentation finds a person. */
+/** Landmarks None: no face; the picture becomes back and fore only as far as segmentation finds a person.
+ *
+ * `find_face`: without landmarks, the largest face that is detected. */
 export type JobRequest = {
   portrait_id: string;
   landmarks?: Landmarks | null;
+  find_face: boolean;
   options: VectorizeOptions;
 };
 
-/** Whole snapshot of a job, the only thing SSE ever sends. `revision` grows by one a snapshot.
+/** Whole snapshot of a job, the only thing SSE ever sends. `revision` grows with each that is stored.
  *
- * `scene_revision` names the latest scene at `/api/jobs/{id}/scene`; 0: none yet. */
+ * `scene_revision` names the latest scene at `/api/jobs/{id}/scene`; 0: none yet. `estimate_s`: seconds until the job
+ * is done, its wait included, going by recent jobs of its kind. */
 export type JobState = {
   id: string;
   revision: number;
@@ -66,6 +81,7 @@ export type JobState = {
   elapsed_seconds: number;
   remaining_seconds: number | null;
   queue_position: number | null;
+  estimate_s?: number | null;
   scene_revision: number;
   metrics?: Metrics | null;
   error?: ApiError | null;
@@ -76,6 +92,14 @@ export type Landmarks = {
   points: [number, number][];
   irises?: [Iris, Iris] | null;
   depth?: number[] | null;
+};
+
+/** What the server allows, for clients that want to know before they are refused. */
+export type Limits = {
+  body_bytes: number;
+  queued_jobs: number;
+  active_jobs: number;
+  retention_hours: number;
 };
 
 /** Two-stop linear gradient from `start` to `end`, padded, unpremultiplied sRGB. */
@@ -134,6 +158,15 @@ export type Project = {
   audio?: string | null;
 };
 
+/** A sound that was uploaded or spoken. `envelope`: its peak in 0…1, 50 a second. */
+export type Recording = {
+  id: string;
+  name: string;
+  duration: number;
+  media_type: string;
+  envelope: number[];
+};
+
 /** Layered portrait in painter's order. `canvas` fills the whole frame beneath `back`. */
 export type Scene = {
   width: number;
@@ -156,6 +189,49 @@ export type SolidFill = {
   opacity: number;
 };
 
+/** Seconds from the beginning of a recording. */
+export type Span = {
+  start: number;
+  end: number;
+};
+
+/** `language` is the transcript's. `gains` by channel or group (mouth, blink, head, brows); 0 mutes. */
+export type SpeechOptions = {
+  language: string;
+  style: 'subtle' | 'normal' | 'cartoon';
+  amplitude: number;
+  smoothing: number;
+  seed: number;
+  gains: { [key: string]: number };
+};
+
+/** Listen to a recording, with its transcript if there is one. With `part`: only to that, keeping the `visemes` that
+ * are given outside it; the transcript is then that of the part. */
+export type SpeechRequest = {
+  recording_id: string;
+  transcript?: string | null;
+  options: SpeechOptions;
+  part?: Span | null;
+  visemes?: VisemeBlock[] | null;
+};
+
+/** What was heard. `loudness` (nats, 50 a second) moves head and brows when the track is made anew. */
+export type SpeechResult = {
+  track: Track;
+  visemes: VisemeBlock[];
+  loudness: number[];
+  tier: 'audio' | 'transcript';
+};
+
+/** A text for espeak-ng to speak; `voice` is a variant such as f3, `pitch` 50 its usual one. */
+export type SpokenRequest = {
+  text: string;
+  language: string;
+  voice: string;
+  rate: number;
+  pitch: number;
+};
+
 export type Stop = {
   colour: string;
   opacity: number;
@@ -169,6 +245,12 @@ export type Track = {
   fps: number;
   landmarks?: [number, number][][] | null;
   articulators?: { [key: string]: number[] } | null;
+};
+
+/** A track for another program: mouth cues of Rhubarb from its `visemes`, or rows of 68 points of a neutral face. */
+export type TrackExportRequest = {
+  track: Track;
+  format: 'json' | 'rhubarb-tsv' | 'rhubarb-json' | 'csv';
 };
 
 /** Options of `vectortalker vectorize`; None means: what the preset says. */
@@ -195,4 +277,22 @@ export type VideoRequest = {
   fps: number;
   size: number;
   format: 'mp4' | 'webm' | 'gif';
+};
+
+/** A viseme from `t` on for `d` seconds. `weight`: how far the jaw opens, 1 as the viseme does. */
+export type VisemeBlock = {
+  t: number;
+  d: number;
+  viseme: 'sil' | 'PP' | 'FF' | 'TH' | 'DD' | 'kk' | 'CH' | 'SS' | 'nn' | 'RR' | 'aa' | 'E' | 'I' | 'O' | 'U';
+  weight: number;
+};
+
+/** Blocks, as heard or as edited, to be formed by a mouth. Without `loudness` the head does not nod. */
+export type VisemeTrackRequest = {
+  visemes: VisemeBlock[];
+  duration: number;
+  loudness?: number[] | null;
+  options: SpeechOptions;
+  name: string;
+  as: 'articulators' | 'landmarks';
 };

@@ -1,4 +1,4 @@
-"""What routes are given: the services of the running app, and ids that have the right form."""
+"""What routes are given: the services of the running app, whose request it is, and ids that have the right form."""
 
 from __future__ import annotations
 
@@ -16,3 +16,10 @@ def _services(request: Request) -> Services:
 
 
 Has = Annotated[Services, Depends(_services)]
+
+
+def _client(request: Request) -> str:
+    return request.state.client
+
+
+Client = Annotated[str, Depends(_client)]

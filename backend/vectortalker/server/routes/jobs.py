@@ -10,19 +10,18 @@ from fastapi.sse import EventSourceResponse, ServerSentEvent
 
 from vectortalker import schema
 from vectortalker.errors import VectorTalkerError
-from vectortalker.server import portraits
-from vectortalker.server.events import snapshots, unseen
-from vectortalker.server.routes.access import Has, Id
+from vectortalker.server.events import event_id, snapshots, unseen
+from vectortalker.server.routes.access import Client, Has, Id
 from vectortalker.server.run import folder
-from vectortalker.server.submit import submit
+from vectortalker.server.submit import submit_portrait
 
 router = APIRouter(prefix="/api/jobs", tags=["jobs"])
 
 
 @router.post("", status_code=202)
-def start_job(request: schema.JobRequest, has: Has) -> schema.JobState:
-    portraits.describe(has.blobs, request.portrait_id)
-    return submit(has, "vectorize", request.portrait_id, request)
+def start_job(request: schema.JobRequest, has: Has, client: Client) -> schema.JobState:
+    """A job that is done at once if the same was made before."""
+    return submit_portrait(has, client, request)
 
 
 @router.get("/{job_id}")
@@ -40,9 +39,9 @@ def _first_snapshot(
 async def watch_job(
     job_id: Id, has: Has, first: Annotated[schema.JobState | None, Depends(_first_snapshot)]
 ) -> AsyncIterator[ServerSentEvent]:
-    """Whole `JobState` snapshots, the newest at once; ends after the last one. The event id is the revision."""
+    """Whole `JobState` snapshots, the newest at once; ends after the last one. The event id names the snapshot."""
     async for state in snapshots(has.jobs, job_id, first):
-        yield ServerSentEvent(data=state, id=str(state.revision))
+        yield ServerSentEvent(data=state, id=event_id(state))
 
 
 @router.get("/{job_id}/scene", response_class=Response, responses={200: {"model": schema.Scene}})
@@ -55,6 +54,17 @@ def get_scene(job_id: Id, has: Has) -> Response:
     return Response(data, media_type="application/json")
 
 
+@router.get("/{job_id}/svg", response_class=Response, responses={200: {"content": {"image/svg+xml": {}}}})
+def get_svg(job_id: Id, has: Has) -> Response:
+    """The layered SVG. Not found until the job is done."""
+    has.jobs.get(job_id)
+    data = has.blobs.find(f"{folder(job_id)}/portrait.svg")
+    if data is None:
+        raise VectorTalkerError("not_found", "There is no SVG yet: wait for the job to be done.")
+    headers = {"Content-Disposition": 'attachment; filename="portrait.svg"'}
+    return Response(data, media_type="image/svg+xml", headers=headers)
+
+
 @router.post("/{job_id}/finish", status_code=202)
 def finish_job(job_id: Id, has: Has) -> schema.JobState:
     """Good enough: the job ends as done with what it has."""
@@ -63,5 +73,8 @@ def finish_job(job_id: Id, has: Has) -> schema.JobState:
 
 @router.delete("/{job_id}")
 def cancel_job(job_id: Id, has: Has) -> schema.JobState:
-    """Stops the work; the worker that does not stop by itself is killed."""
-    return has.jobs.cancel(job_id)
+    """Stops the work; the worker that does not stop by itself is killed. Of a job that has ended the files go."""
+    state = has.jobs.cancel(job_id)
+    if state.phase != "cancelled":  # else its worker removes what it may be writing
+        has.blobs.delete_folder(folder(job_id))
+    return state

@@ -8,8 +8,8 @@ from fastapi import APIRouter, Response, UploadFile
 
 from vectortalker import schema
 from vectortalker.server import portraits
+from vectortalker.server.removal import remove_portrait
 from vectortalker.server.routes.access import Has, Id
-from vectortalker.server.run import folder
 
 router = APIRouter(prefix="/api/portraits", tags=["portraits"])
 
@@ -20,7 +20,8 @@ DECODING = anyio.CapacityLimiter(2)  # a 50 MP picture takes up to 1 GB while it
 async def add_portrait(file: UploadFile, has: Has) -> schema.Portrait:
     """Limits are checked before any pixel is decoded."""
     data = await file.read()
-    return await to_thread.run_sync(portraits.add, has.blobs, data, file.filename or "", limiter=DECODING)
+    name = file.filename or ""
+    return await to_thread.run_sync(portraits.add, has.store, has.blobs, data, name, limiter=DECODING)
 
 
 @router.get("/{portrait_id}", operation_id="get_portrait")
@@ -42,9 +43,5 @@ async def get_faces(portrait_id: Id, has: Has) -> schema.Faces:
 
 @router.delete("/{portrait_id}", status_code=204)
 def delete_portrait(portrait_id: Id, has: Has) -> None:
-    """Everything made from it goes with it; what is being made is stopped."""
-    portraits.delete(has.blobs, portrait_id)
-    for job_id in has.jobs.of_portrait(portrait_id):
-        has.jobs.cancel(job_id)
-        has.blobs.delete_folder(folder(job_id))
-        has.jobs.forget(job_id)
+    """Everything made from it goes with it, at once; what is being made is stopped."""
+    remove_portrait(has, portrait_id)

@@ -6,7 +6,7 @@ from fastapi import APIRouter, Response
 
 from vectortalker import schema
 from vectortalker.errors import VectorTalkerError
-from vectortalker.server.routes.access import Has, Id
+from vectortalker.server.routes.access import Client, Has, Id
 from vectortalker.server.run import folder
 from vectortalker.server.submit import submit
 
@@ -16,8 +16,8 @@ MEDIA_TYPES = {"mp4": "video/mp4", "webm": "video/webm", "gif": "image/gif"}
 
 
 @router.post("", status_code=202)
-def start_video(request: schema.VideoRequest, has: Has) -> schema.JobState:
-    return submit(has, "video", None, request)
+def start_video(request: schema.VideoRequest, has: Has, client: Client) -> schema.JobState:
+    return submit(has, client, "video", None, request)
 
 
 @router.get(
