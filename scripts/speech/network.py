@@ -10,15 +10,7 @@ from vectortalker.speech.visemes import CHANNELS, VISEMES
 WIDTH = 128
 KERNEL = 5
 STRIDE = 2  # 10 ms frames in, 20 ms frames out
-LAYERS = (
-    (1, 1),
-    (2, 1),
-    (4, 0),
-    (8, 0),
-    (1, 0),
-    (2, 0),
-    (4, 0),
-)  # dilation, taps into the future
+LAYERS = ((1, 2), (2, 2), (4, 1), (8, 0), (1, 1), (2, 1), (4, 0))  # dilation, taps into the future
 FEATURE_SCALE = 1 / 3  # brings log powers near unit variance
 
 STEM_PAST = KERNEL // 2  # 10 ms frames
@@ -34,7 +26,7 @@ class Layer(nn.Module):
         self.padding = ((KERNEL - 1 - future) * dilation, future * dilation)
         self.convolution = nn.Conv1d(WIDTH, WIDTH, KERNEL, dilation=dilation, bias=False)
         self.norm = nn.BatchNorm1d(WIDTH)
-        self.dropout = nn.Dropout(0.1)
+        self.dropout = nn.Dropout1d(0.1)  # of whole channels: dropping single values takes a fifth of the time of a step
 
     def forward(self, inputs: Tensor) -> Tensor:
         hidden = self.convolution(functional.pad(inputs, self.padding))

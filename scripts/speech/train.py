@@ -31,11 +31,18 @@ OPSET = 17
 MODEL_FOLDER = Path("backend/vectortalker/speech/model")
 
 
+TEMPO, WARP = (0.82, 1.2), (0.88, 1.12)  # of time, and of the mel axis
+NOISE_SHARE = 0.6  # of clips
+NOISE_BELOW = (1.5, 10.0)  # nats of power (6 to 43 dB) from the clip's loudest moments down to the noise
+COLOUR = 0.5  # nats, deviation of the knots of a smooth response
+
+
 @dataclass(frozen=True)
 class Clip:
-    frames: np.ndarray  # [2n, N_MELS], normalised
+    frames: np.ndarray  # [2n, N_MELS], as recorded
     classes: np.ndarray  # [n]
     articulators: np.ndarray  # [n, 7]
+    is_noise: bool  # nobody speaks
 
 
 def load(path: Path) -> list[Clip]:
@@ -45,49 +52,59 @@ def load(path: Path) -> list[Clip]:
         np.split(archive["frames"], 2 * cuts),
         np.split(archive["classes"], cuts),
         np.split(archive["articulators"], cuts),
+        archive["voice"] == "none",
         strict=True,
     )
-    return [Clip(normalised(frames.astype(np.float32)), classes, curves) for frames, classes, curves in parts]
+    return [Clip(*part) for part in parts]
 
 
-def batch_of(clips: list[Clip], generator: np.random.Generator) -> tuple[Tensor, Tensor, Tensor]:
-    """Random crops, their spectra distorted. Beyond a clip's end: its last frame, silent as all ends are."""
+def batch_of(clips: list[Clip], noises: list[Clip], generator: np.random.Generator) -> tuple[Tensor, Tensor, Tensor]:
+    """Random crops, distorted. Beyond a clip's end: its last frame, silent as all ends are."""
     frames = np.zeros((len(clips), 2 * CROP, N_MELS), np.float32)
     classes = np.zeros((len(clips), CROP), np.int64)
     articulators = np.zeros((len(clips), CROP, len(CHANNELS)), np.float32)
     for row, clip in enumerate(clips):
-        start = int(generator.integers(max(1, len(clip.classes) - CROP + 1)))
-        n_frames = min(CROP, len(clip.classes) - start)
-        piece = clip.frames[2 * start : 2 * (start + n_frames)]
-        frames[row, : 2 * n_frames] = piece
-        frames[row, 2 * n_frames :] = piece[-1]
-        classes[row, :n_frames] = clip.classes[start : start + n_frames]
-        articulators[row, :n_frames] = clip.articulators[start : start + n_frames]
-    return (
-        torch.from_numpy(_distorted(frames, generator)),
-        torch.from_numpy(classes),
-        torch.from_numpy(articulators),
-    )
+        tempo = generator.uniform(*TEMPO)
+        start = int(generator.integers(max(1, len(clip.classes) - round(CROP * tempo) + 1)))
+        piece = _at(clip.frames, 2 * start + np.arange(2 * CROP) * tempo)
+        if generator.random() < NOISE_SHARE:
+            piece = _noisy(piece, noises[int(generator.integers(len(noises)))], generator)
+        frames[row] = _distorted(normalised(piece), generator)
+        places = start + np.arange(CROP) * tempo
+        n_frames = int((places <= len(clip.classes) - 1).sum())
+        classes[row, :n_frames] = clip.classes[np.rint(places[:n_frames]).astype(int)]
+        articulators[row, :n_frames] = _at(clip.articulators, places[:n_frames])
+    return torch.from_numpy(frames), torch.from_numpy(classes), torch.from_numpy(articulators)
 
 
-def _distorted(frames: np.ndarray, generator: np.random.Generator) -> np.ndarray:
+def _at(rows: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """Rows at fractional places, linear between them, the last one beyond the end."""
+    places = np.minimum(places, len(rows) - 1)
+    below = places.astype(int)
+    share = (places - below).astype(np.float32)[:, None]
+    return rows[below] * (1 - share) + rows[np.minimum(below + 1, len(rows) - 1)] * share
+
+
+def _noisy(frames: np.ndarray, noise: Clip, generator: np.random.Generator) -> np.ndarray:
+    """Powers add up, which log powers cannot show of the phases between them."""
+    start = int(generator.integers(len(noise.frames)))
+    added = np.take(noise.frames, start + np.arange(len(frames)), axis=0, mode="wrap").astype(np.float32)
+    level = np.quantile(frames.mean(axis=1), 0.95) - generator.uniform(*NOISE_BELOW)
+    return np.logaddexp(frames, added - added.mean() + level)
+
+
+def _distorted(clip: np.ndarray, generator: np.random.Generator) -> np.ndarray:
     """Formants shifted by a warp of the mel axis, a smooth colour, a masked band and a masked moment."""
     bands = np.arange(N_MELS)
-    result = np.empty_like(frames)
-    for row, clip in enumerate(frames):
-        places = np.clip(bands * generator.uniform(0.9, 1.1), 0, N_MELS - 1)
-        below = np.minimum(places.astype(int), N_MELS - 2)
-        share = (places - below).astype(np.float32)
-        warped = clip[:, below] * (1 - share) + clip[:, below + 1] * share
-        warped += np.interp(bands, np.linspace(0, N_MELS, 5), generator.normal(0, 0.5, 5)).astype(np.float32)
-        if generator.random() < 0.5:
-            band = int(generator.integers(N_MELS - 6))
-            warped[:, band : band + int(generator.integers(1, 6))] = 0
-        if generator.random() < 0.3:
-            moment = int(generator.integers(len(clip) - 10))
-            warped[moment : moment + int(generator.integers(2, 8))] = 0
-        result[row] = warped
-    return result
+    warped = np.ascontiguousarray(_at(clip.T, bands * generator.uniform(*WARP)).T)
+    warped += np.interp(bands, np.linspace(0, N_MELS, 5), generator.normal(0, COLOUR, 5)).astype(np.float32)
+    if generator.random() < 0.5:
+        band = int(generator.integers(N_MELS - 6))
+        warped[:, band : band + int(generator.integers(1, 6))] = 0
+    if generator.random() < 0.3:
+        moment = int(generator.integers(len(clip) - 10))
+        warped[moment : moment + int(generator.integers(2, 8))] = 0
+    return warped
 
 
 def loss_of(network: SpeechNetwork, frames: Tensor, classes: Tensor, articulators: Tensor) -> Tensor:
@@ -105,13 +122,14 @@ def train(network: SpeechNetwork, clips: list[Clip], seed: int, n_epochs: int, p
     optimiser = torch.optim.AdamW(network.parameters(), peak_rate, weight_decay=1e-2)
     n_steps = sum(len(clip.classes) for clip in clips) // (CROP * BATCH)
     schedule = torch.optim.lr_scheduler.OneCycleLR(optimiser, peak_rate, total_steps=n_epochs * n_steps, pct_start=0.15)
+    noises = [clip for clip in clips if clip.is_noise]
     lengths = np.array([len(clip.classes) for clip in clips], float)
     started = time.monotonic()
     for epoch in range(n_epochs):
         total = 0.0
         for _ in range(n_steps):
             chosen = generator.choice(len(clips), BATCH, p=lengths / lengths.sum())
-            batch = batch_of([clips[index] for index in chosen], generator)
+            batch = batch_of([clips[index] for index in chosen], noises, generator)
             with torch.autocast("cpu", torch.bfloat16):  # half the time on processors that multiply it
                 loss = loss_of(network, *batch)
             optimiser.zero_grad()
@@ -179,7 +197,7 @@ def main() -> None:
         "data": {
             "script": "scripts/speech/corpus.py",
             "hours": round(sum(len(clip.classes) for clip in clips) / 50 / 3600, 2),
-            "synthesisers": "espeak-ng 1.51 (12 languages, 51 variants), flite 2.2 (kal16, awb, rms)",
+            "synthesisers": "espeak-ng 1.51 (12 languages, 51 variants), Festival 2.5 (8 voices of 5 languages)",
         },
     }
     (options.out / "speech.json").write_text(json.dumps(card, indent=2) + "\n", encoding="utf-8")

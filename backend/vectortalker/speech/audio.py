@@ -27,7 +27,7 @@ def mono_chunks(sound: Path | BinaryIO) -> Iterator[Samples]:
     """
     name = sound.name if isinstance(sound, Path) else "The recording"
     try:
-        with av.open(sound) as container:
+        with av.open(sound, "r") as container:
             if not container.streams.audio:
                 raise _bad(f"{name} has no sound.")
             n_samples = 0
