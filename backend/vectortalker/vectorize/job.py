@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Generator
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,7 @@ from vectortalker.scene import LayeredScene, to_wire
 from vectortalker.schema import Landmarks, Metrics, Scene, VectorizeOptions
 from vectortalker.svg import to_svg
 from vectortalker.vectorize.frame import Frame, fit, layer_to_portrait
+from vectortalker.vectorize.ground import with_ground
 from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, TOP
 from vectortalker.vectorize.optimise import Start, Step, optimise
 from vectortalker.vectorize.options import Settings, resolve
@@ -21,7 +23,7 @@ from vectortalker.vectorize.population import Population
 from vectortalker.vectorize.progress import Checkpoint, Progress, Result
 from vectortalker.vectorize.resume import checkpoint, restore
 from vectortalker.vectorize.schedule import LevelPlan, plan
-from vectortalker.vectorize.targets import prepare
+from vectortalker.vectorize.targets import Targets, prepare
 
 PREPARED = 0.05  # share of the time spent before the first level
 OPTIMISED = 0.97  # up to the end of the last level …
@@ -51,6 +53,8 @@ def vectorize(
     plans = plan(settings, (frame.width, frame.height))
     yield Progress("preparing", 0, settings.levels, 0, 0.0)
     targets = prepare(portrait, landmarks, picture, frame, settings, plans)
+    if targets.layers is not None:
+        plans = [replace(level_plan, paths=max(1, level_plan.paths - 1)) for level_plan in plans]  # the ground is one
     start = restore(resume, settings) if resume else Start(targets.first_paths, 0, 0)
     run = optimise(targets.level, plans, settings, start, threads, finish_early)
     while True:
@@ -59,21 +63,27 @@ def vectorize(
         except StopIteration as end:
             last: Step = end.value
             break
-        yield _report(step, plans, settings, frame, portrait, targets.canvas)
-    scene = compose(last.population, plans[last.level_index].frame, frame, portrait, targets.canvas)
+        yield _report(step, plans, settings, frame, portrait, targets)
+    scene = compose(last.population, plans[last.level_index].frame, frame, portrait, targets)
     svg = to_svg(scene, targets.openings, portrait.name, (frame.width, frame.height))
-    yield Progress("measuring", last.level_index + 1, settings.levels, len(last.population), WRITTEN, scene)
+    yield Progress("measuring", last.level_index + 1, settings.levels, _n_paths(last, targets), WRITTEN, scene)
     elapsed = time.perf_counter() - clock, time.process_time() - cpu_clock
     return Result(scene, svg, _measure(scene, svg, picture, last.iteration, elapsed))
 
 
 def compose(
-    population: Population, level: tuple[int, int], frame: Frame, portrait: Portrait, canvas: NDArray[np.float32]
+    population: Population, level: tuple[int, int], frame: Frame, portrait: Portrait, targets: Targets
 ) -> Scene:
-    """The population of a level of (width, height) px as a scene in portrait px."""
+    """The population of a level of (width, height) px as a scene in portrait px; with layers, on a ground."""
     layers = (population.layer(*groups) for groups in ((BACK, FORE), (FORE, FIRST_LOCAL), (FIRST_LOCAL, TOP)))
     back, fore, local = (layer_to_portrait(layer, frame, level) for layer in layers)
-    return to_wire(LayeredScene(portrait.width, portrait.height, canvas, back, fore, local))
+    if targets.layers is not None:
+        back = with_ground(back, targets.canvas, portrait.width, portrait.height)
+    return to_wire(LayeredScene(portrait.width, portrait.height, targets.canvas, back, fore, local))
+
+
+def _n_paths(step: Step, targets: Targets) -> int:
+    return len(step.population) + (targets.layers is not None)
 
 
 def _report(
@@ -82,16 +92,16 @@ def _report(
     settings: Settings,
     frame: Frame,
     portrait: Portrait,
-    canvas: NDArray[np.float32],
+    targets: Targets,
 ) -> Progress:
     total = sum(level.iterations for level in plans)
     return Progress(
         stage=f"level {step.level_index + 1} of {settings.levels}",
         level=step.level_index + 1,
         levels=settings.levels,
-        n_paths=len(step.population),
+        n_paths=_n_paths(step, targets),
         fraction=PREPARED + (OPTIMISED - PREPARED) * step.iteration / total,
-        scene=compose(step.population, plans[step.level_index].frame, frame, portrait, canvas)
+        scene=compose(step.population, plans[step.level_index].frame, frame, portrait, targets)
         if step.picture
         else None,
         checkpoint=checkpoint(step, settings) if step.level_done else None,
