@@ -15,8 +15,13 @@ import pytest
 import uvicorn
 from starlette.types import ASGIApp, Receive, Scope, Send
 from vectortalker.server.app import create_app
+from vectortalker.server.redis_store import RedisStore
 from vectortalker.server.services import Services, open_services
 from vectortalker.server.settings import Settings
+from vectortalker.server.sqlite_store import SqliteStore
+from vectortalker.server.store import Store
+
+from .redis_server import MISSING, REASON, RedisServer
 
 COMMAND = Path(__file__).parents[2] / ".venv" / "bin" / "vectortalker"
 START_SECONDS = 90  # torch on a busy machine
@@ -35,6 +40,28 @@ def wait_until(condition, seconds: float = 30) -> None:
     while not condition():
         assert time.monotonic() < deadline, f"not within {seconds} s"
         time.sleep(0.02)
+
+
+@pytest.fixture(scope="session")
+def redis_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RedisServer]:
+    if MISSING:
+        pytest.skip(REASON)
+    server = RedisServer(tmp_path_factory.mktemp("redis"), free_port())
+    yield server
+    server.kill()
+
+
+@pytest.fixture(params=["sqlite", "redis"])
+def store(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[Store]:
+    """Either kind of store, empty."""
+    if request.param == "sqlite":
+        opened: Store = SqliteStore(tmp_path / "state.sqlite")
+    else:
+        server: RedisServer = request.getfixturevalue("redis_server")
+        server.empty()
+        opened = RedisStore(server.url)
+    yield opened
+    opened.close()
 
 
 @pytest.fixture

@@ -127,8 +127,8 @@ def test_killed_worker_leaves_its_job_to_the_next(serving: Serving) -> None:
 
 
 def test_job_that_brings_down_worker_and_server_is_set_aside(tmp_path: Path) -> None:
-    """Three starts without a finished level between them; what waits behind it is done."""
-    serving = Serving(tmp_path)
+    """Two starts without a finished level between them; what waits behind it is done."""
+    serving = Serving(tmp_path, "--max-attempts", "2")
     poison, waiting = start(serving, ENDLESS), start(serving, TINY)
     wait_for_scene(serving, poison)
     orphan = worker_pid(serving)
@@ -138,26 +138,23 @@ def test_job_that_brings_down_worker_and_server_is_set_aside(tmp_path: Path) -> 
     os.kill(orphan, signal.SIGCONT)
     wait_until(lambda: not Path(f"/proc/{orphan}").exists(), 5)
     serving.start()
-    wait_until(lambda: state(serving, poison).revision > before + 3, 60)
-    for _ in range(2):
-        wait_until(lambda: state(serving, poison).phase == "running")
-        os.kill(worker_pid(serving), signal.SIGKILL)
-        wait_until(lambda: state(serving, poison).phase != "running")
+    wait_until(lambda: state(serving, poison).revision > before + 3 and state(serving, poison).phase == "running", 60)
+    os.kill(worker_pid(serving), signal.SIGKILL)
+    wait_until(lambda: state(serving, poison).phase != "running")
     last = state(serving, poison)
     assert last.phase == "failed" and last.error is not None and last.error.code == "internal"
-    assert "3 times" in last.error.message
+    assert "2 times" in last.error.message
     assert wait_for_end(serving, waiting).phase == "done"
     serving.stop()
 
 
 def test_stopped_server_queues_its_job_without_blame(tmp_path: Path) -> None:
-    serving = Serving(tmp_path)
+    serving = Serving(tmp_path, "--max-attempts", "1")
     job_id = start(serving, ENDLESS)
     wait_for_scene(serving, job_id)
-    for _ in range(3):
-        serving.stop()
-        serving.start()
-        wait_until(lambda: state(serving, job_id).phase == "running")
+    serving.stop()
+    serving.start()
+    wait_until(lambda: state(serving, job_id).phase == "running")
     serving.client.post(f"/api/jobs/{job_id}/finish")
     assert wait_for_end(serving, job_id).phase == "done"
     serving.stop()

@@ -12,6 +12,7 @@ import threading
 from typing import TYPE_CHECKING
 
 from vectortalker.cli.sharing import add_sharing_arguments, add_working_arguments, working_settings
+from vectortalker.errors import VectorTalkerError
 
 if TYPE_CHECKING:
     import uvicorn
@@ -64,6 +65,8 @@ def run(options: argparse.Namespace) -> None:
 
 def _tokens(options: argparse.Namespace) -> tuple[str, ...]:
     given = options.token or [token for token in os.environ.get("VECTORTALKER_TOKEN", "").split(",") if token]
+    if not all(given):
+        raise VectorTalkerError("bad_option", "--token is empty: give one of some 20 random characters.")
     return tuple(given) if given or _is_loopback(options.host) else (secrets.token_urlsafe(24),)
 
 
