@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 from scipy import fft
 
 PAD = 16  # reflected rim, so that the periodic transform does not join opposite borders
@@ -19,7 +18,7 @@ KAPPA = 2.0
 FFT_WORKERS = 2
 VISIBLE_GRADIENT = 2 / 255
 PROBE_SIDE = 160  # strengths are searched on the middle of the picture
-PROBE_STRENGTHS = np.geomspace(3e-4, 0.1, 6)
+PROBE_STRENGTHS = np.geomspace(3e-4, 0.04, 6)
 
 # Shares of pixels with a visible gradient that the coarse levels keep, of the share of the picture itself.
 COARSE_SHARES = (0.15, 0.28, 0.42, 0.6)
@@ -38,20 +37,15 @@ def stack(image: NDArray[np.float32], levels: int = 5) -> list[Level]:
     """Targets coarse to fine of f32 [H, W, 3]; the last is the picture itself.
 
     λ is not comparable between line art and photographs: it is searched per picture by the gradients it leaves.
-    All levels but the last two are smoothed at half size, which is at least the size they are optimised at.
     """
     if levels < 1:
         raise ValueError(f"levels is {levels}; at least 1 is needed")
     positions = np.linspace(0, 1, levels)[:-1]
     shares = np.interp(positions, np.linspace(0, 1, len(COARSE_SHARES) + 1), (*COARSE_SHARES, 1.0))
-    height, width = image.shape[:2]
-    half = _resized(image, (max(1, height // 2), max(1, width // 2)))
-    wanted = np.array([*_strengths(half, shares[:-1]), *_strengths(image, shares[-1:])])
+    wanted = _strengths(image, shares)
     ceilings = PROBE_STRENGTHS[-1] * CEILING_RATIO ** np.arange(levels - 1)
     strengths = np.minimum.accumulate(np.minimum(wanted, ceilings)).tolist()
-    coarse = [Level(_resized(l0_smooth(half, strength), (height, width)), strength) for strength in strengths[:-1]]
-    fine = [Level(l0_smooth(image, strength), strength) for strength in strengths[-1:]]
-    return [*coarse, *fine, Level(image, 0.0)]
+    return [*(Level(l0_smooth(image, strength), strength) for strength in strengths), Level(image, 0.0)]
 
 
 def l0_smooth(image: NDArray[np.float32], strength: float, beta_max: float = BETA_MAX) -> NDArray[np.float32]:
@@ -115,11 +109,3 @@ def _strengths(image: NDArray[np.float32], relative_shares: NDArray[np.float64])
     falling = np.minimum.accumulate(left_over)
     logs = np.interp(relative_shares * visible_share(probe), falling[::-1], np.log(PROBE_STRENGTHS)[::-1])
     return [float(strength) for strength in np.exp(logs)]
-
-
-def _resized(image: NDArray[np.float32], shape: tuple[int, int]) -> NDArray[np.float32]:
-    """f32 [H, W, 3] to another height and width, antialiased downwards, bicubic upwards."""
-    size = (shape[1], shape[0])
-    filter_ = Image.Resampling.BOX if shape[0] < image.shape[0] else Image.Resampling.BICUBIC
-    channels = [np.asarray(Image.fromarray(image[..., k]).resize(size, filter_)) for k in range(3)]
-    return np.stack(channels, axis=-1).clip(0, 1)

@@ -6,7 +6,7 @@ import numpy as np
 import torch
 from vectortalker.vectorize import adam
 from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE
-from vectortalker.vectorize.population import Population, Rates, empty_population, insert, move, rescale, take
+from vectortalker.vectorize.population import Population, Rates, empty_population, insert, move, rescale
 from vectortalker.vectorize.starts import START_OPACITY, Start, circle
 
 RATES = Rates(points=1.0, colour=0.05, opacity=0.05, axis=1.0, beta2=0.99)
@@ -69,12 +69,12 @@ def test_opaque_paths_stay_opaque() -> None:
     assert (paths.stops[..., 3] == 1).all()
 
 
-def test_rescale_and_back_is_the_identity() -> None:
+def test_rescale_moves_the_paths_and_forgets_the_moments() -> None:
     paths = population(BACK, FORE)
     paths.moments["axis"].second[:] = 3
-    before = take(paths, np.arange(2))
-    rescale(paths, (109, 128), (437, 512))
-    assert np.allclose(paths.points[0, 0], before.points[0, 0] * [437 / 109, 4])
-    rescale(paths, (437, 512), (109, 128))
-    assert np.allclose(paths.points, before.points, rtol=1e-6)
-    assert np.allclose(paths.moments["axis"].second, 3, rtol=1e-5)
+    paths.age[:] = 5
+    larger = rescale(paths, (109, 128), (437, 512))
+    assert np.allclose(larger.points[0, 0], paths.points[0, 0] * [437 / 109, 4])
+    assert not larger.moments["axis"].second.any() and not larger.age.any()
+    back = rescale(larger, (437, 512), (109, 128))
+    assert np.allclose(back.points, paths.points, rtol=1e-6)

@@ -63,7 +63,7 @@ def optimise(
         level = level_at(index, level_plan)
         generator = np.random.default_rng((settings.seed, index))
         if index:
-            rescale(population, plans[index - 1].frame, level_plan.frame)
+            population = rescale(population, plans[index - 1].frame, level_plan.frame)
         missing = max(0, level_plan.paths - len(population))
         population = seed(
             population, level, missing, level_plan.radius, ingredients, settings.fills == "gradient", generator

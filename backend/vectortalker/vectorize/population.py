@@ -63,12 +63,22 @@ class Population:
         )
 
 
-def empty_population(segments: int) -> Population:
-    points, stops, axis = (np.zeros(shape, np.float32) for shape in ((0, 3 * segments, 2), (0, 2, 4), (0, 4)))
+def fresh(
+    points: NDArray[np.float32],
+    stops: NDArray[np.float32],
+    axis: NDArray[np.float32],
+    gradient: NDArray[np.bool_],
+    group: NDArray[np.int64],
+) -> Population:
+    """Paths that Adam has not moved yet."""
     moments = {"points": Moments.zeros(points.shape), "stops": Moments.zeros(stops.shape)}
     moments["axis"] = Moments.zeros(axis.shape)
-    none = np.zeros(0, np.int64)
-    return Population(points, stops, axis, np.zeros(0, np.bool_), none, none, moments)
+    return Population(points, stops, axis, gradient, group, np.zeros(len(points), np.int64), moments)
+
+
+def empty_population(segments: int) -> Population:
+    points, stops, axis = (np.zeros(shape, np.float32) for shape in ((0, 3 * segments, 2), (0, 2, 4), (0, 4)))
+    return fresh(points, stops, axis, np.zeros(0, np.bool_), np.zeros(0, np.int64))
 
 
 def take(population: Population, index: NDArray[np.int64] | NDArray[np.bool_]) -> Population:
@@ -106,14 +116,14 @@ def _with_zero_rows(moments: Moments, count: int) -> Moments:
     return Moments(np.concatenate([moments.first, zeros]), np.concatenate([moments.second, zeros]))
 
 
-def rescale(population: Population, old: tuple[int, int], new: tuple[int, int]) -> None:
-    """Move from a frame of (width, height) to another; the gradient of a coordinate shrinks as the frame grows."""
+def rescale(population: Population, old: tuple[int, int], new: tuple[int, int]) -> Population:
+    """Move from a frame of (width, height) to another and start Adam afresh.
+
+    A level's targets are not those of the one before: second moments remembered from it would only damp the steps.
+    """
     factor = np.array(new, np.float32) / np.array(old, np.float32)
-    for name, factors in (("points", factor), ("axis", np.tile(factor, 2))):
-        values, moments = getattr(population, name), population.moments[name]
-        values *= factors
-        moments.first /= factors
-        moments.second /= factors**2
+    points, axis = population.points * factor, population.axis * np.tile(factor, 2)
+    return fresh(points, population.stops, axis, population.gradient, population.group)
 
 
 def move(

@@ -14,7 +14,7 @@ from vectortalker import schema
 class Checkpoint:
     """State after a whole level: plain arrays, so that a store can keep it without knowing what it is.
 
-    `arrays` holds the paths of the working frame and the optimiser's moments by name; `level` counts finished levels;
+    `arrays` holds the paths of the level's frame by name; `level` counts finished levels;
     `iterations` those spent; `settings` identifies what it was made with (a resumed run must agree).
     """
 

@@ -3,22 +3,17 @@
 from __future__ import annotations
 
 from vectortalker.errors import VectorTalkerError
-from vectortalker.vectorize.adam import Moments
 from vectortalker.vectorize.optimise import Start, Step
 from vectortalker.vectorize.options import Settings
-from vectortalker.vectorize.population import MOVED, Population
+from vectortalker.vectorize.population import fresh
 from vectortalker.vectorize.progress import Checkpoint
 
-PLAIN = ("points", "stops", "axis", "gradient", "group", "age")
+PATHS = ("points", "stops", "axis", "gradient", "group")
 
 
 def checkpoint(step: Step, settings: Settings) -> Checkpoint:
-    """Copy of the state at the end of a level."""
-    population = step.population
-    arrays = {name: getattr(population, name).copy() for name in PLAIN}
-    for name in MOVED:
-        arrays[f"{name}.first"] = population.moments[name].first.copy()
-        arrays[f"{name}.second"] = population.moments[name].second.copy()
+    """Copy of the paths at the end of a level; the next one starts with fresh moments."""
+    arrays = {name: getattr(step.population, name).copy() for name in PATHS}
     return Checkpoint(step.level_index + 1, step.iteration, repr(settings), arrays)
 
 
@@ -28,7 +23,5 @@ def restore(saved: Checkpoint, settings: Settings) -> Start:
         raise VectorTalkerError(
             "bad_option", f"The checkpoint was made with {saved.settings}, this job wants {settings!r}: start afresh."
         )
-    arrays = saved.arrays
-    moments = {name: Moments(arrays[f"{name}.first"].copy(), arrays[f"{name}.second"].copy()) for name in MOVED}
-    population = Population(**{name: arrays[name].copy() for name in PLAIN}, moments=moments)
+    population = fresh(**{name: saved.arrays[name].copy() for name in PATHS})
     return Start(population, saved.level, saved.iterations)

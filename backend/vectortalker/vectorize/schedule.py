@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -40,6 +40,16 @@ class Ingredients:
     rates: Rates
 
 
+PAPER = Ingredients(
+    seeds="samples",
+    contours=False,
+    reallocate=0.0,
+    decay_from=1.0,
+    polish=0.0,
+    compensate=(),
+    coarse=False,
+    rates=Rates(points=1.0, colour=0.01, opacity=0.01, axis=1.0, beta2=0.999),  # paper, section 4.1
+)
 RECIPES: dict[Recipe, Ingredients] = {
     "best": Ingredients(
         seeds="peaks",
@@ -51,26 +61,8 @@ RECIPES: dict[Recipe, Ingredients] = {
         coarse=True,
         rates=Rates(points=0.7, colour=0.03, opacity=0.02, axis=1.0, beta2=0.99),
     ),
-    "paper": Ingredients(
-        seeds="samples",
-        contours=False,
-        reallocate=0.0,
-        decay_from=1.0,
-        polish=0.0,
-        compensate=(),
-        coarse=False,
-        rates=Rates(points=1.0, colour=0.01, opacity=0.01, axis=1.0, beta2=0.999),  # paper, section 4.1
-    ),
-    "diffvg": Ingredients(
-        seeds="uniform",
-        contours=False,
-        reallocate=0.0,
-        decay_from=1.0,
-        polish=0.0,
-        compensate=(),
-        coarse=False,
-        rates=Rates(points=1.0, colour=0.01, opacity=0.01, axis=1.0, beta2=0.999),
-    ),
+    "paper": PAPER,
+    "diffvg": replace(PAPER, seeds="uniform"),
 }
 
 
