@@ -3,6 +3,8 @@ import { render } from 'preact';
 import { startAutosave } from './project/autosave';
 import { loadRigModule } from './rig/rig';
 import { App } from './shell/App';
+import { followSound } from './speech/sound';
+import { followChoices } from './speech/state';
 import { rigModuleReady } from './stage/posing';
 import { report } from './store/notices';
 import { keepPreferences } from './store/preferences';
@@ -13,6 +15,8 @@ import './styles/index.css';
 async function start(root: HTMLElement): Promise<void> {
   keepPreferences();
   await startAutosave().catch(report); // before the first paint, so that a reload does not flash the first screen
+  followSound();
+  followChoices();
   render(<App />, root);
   loadSamples().catch(report);
   loadSampleTracks().catch(report);

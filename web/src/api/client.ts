@@ -42,7 +42,7 @@ export function getFaces(portraitId: string, signal?: AbortSignal): Promise<Face
 }
 
 export function postJob(portraitId: string, landmarks: Landmarks | null, options: VectorizeOptions): Promise<JobState> {
-  const body: JobRequest = { portrait_id: portraitId, landmarks, options };
+  const body: JobRequest = { portrait_id: portraitId, landmarks, find_face: false, options };
   return request('api/jobs', { method: 'POST', body: JSON.stringify(body), headers: { 'content-type': 'application/json' } });
 }
 
@@ -74,12 +74,14 @@ export async function getVideo(jobId: string, signal?: AbortSignal): Promise<Blo
 
 const jobUrl = (jobId: string) => `api/jobs/${encodeURIComponent(jobId)}`;
 
-async function request<T>(url: string, init: RequestInit): Promise<T> {
+/** The JSON that the server answers. */
+export async function request<T>(url: string, init: RequestInit): Promise<T> {
   const response = await answered(url, init);
   return (await response.json()) as T;
 }
 
-async function answered(url: string, init: RequestInit): Promise<Response> {
+/** The answer itself, if it is no refusal. */
+export async function answered(url: string, init: RequestInit): Promise<Response> {
   const response = await fetch(url, init).catch((reason: unknown) => {
     if (reason instanceof DOMException && reason.name === 'AbortError') throw reason;
     throw new RequestError('offline', 'The server does not answer. What is open here stays and can be edited, played and exported.');

@@ -1,5 +1,5 @@
 /** Follows a job: whole snapshots over server-sent events, with the state of the connection. */
-import { jobEventsUrl } from './client';
+import { cancelJob, jobEventsUrl, RequestError } from './client';
 import type { JobState } from './schema';
 
 export type Connection = 'live' | 'reconnecting' | 'lost';
@@ -40,6 +40,26 @@ export function followJob(jobId: string, { onState, onConnection }: JobListener)
 
   open();
   return close;
+}
+
+/** Resolves when the job is done, rejects with the reason why it is not. Aborting cancels it on the server too. */
+export function jobDone(jobId: string, signal: AbortSignal, onState: (state: JobState) => void): Promise<void> {
+  return new Promise((resolve, reject) => {
+    const unfollow = followJob(jobId, {
+      onState: (state) => {
+        onState(state);
+        if (!hasEnded(state)) return;
+        if (state.phase === 'done') resolve();
+        else reject(new RequestError(state.error?.code ?? 'internal', state.error?.message ?? 'The server stopped the work.'));
+      },
+      onConnection: () => {},
+    });
+    signal.addEventListener('abort', () => {
+      unfollow();
+      cancelJob(jobId).catch(() => {}); // the person has left; the server ends the job by itself when it cannot be told
+      reject(signal.reason);
+    });
+  });
 }
 
 export function hasEnded(state: JobState): boolean {

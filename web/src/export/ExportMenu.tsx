@@ -89,6 +89,7 @@ function Course(): JSX.Element | null {
       {now.kind === 'ready' && (
         <>
           <p>{now.forecast ? forecastText(now.forecast) : 'This browser cannot encode it; the server will render it.'}</p>
+          {now.note && <p class="export-note">{now.note}</p>}
           {now.forecast && now.forecast.bytes > LARGE_BYTES && (
             <p class="export-note">Large for the web: a shorter track or a video is lighter.</p>
           )}

@@ -2,6 +2,7 @@
 import { signal as state } from '@preact/signals';
 import { download } from '../project/files';
 import { buildRig } from '../rig/rig';
+import { sound } from '../speech/sound';
 import { rigModuleReady, standing } from '../stage/posing';
 import { announce, report } from '../store/notices';
 import { edit, history, scene, track } from '../store/state';
@@ -9,6 +10,7 @@ import { evenSize } from './canvas';
 import { type Forecast, forecastSvg, forecastVideo } from './forecast';
 import type { Performance } from './motion';
 import { renderOnServer } from './serverVideo';
+import { soundCodec } from './soundTrack';
 import { animatedSvg, stillSvg } from './svgFile';
 import { canEncode, encodeVideo, type VideoKind, type VideoOptions } from './videoFile';
 
@@ -20,7 +22,13 @@ export type Maker = 'browser' | 'server';
 export type Exporting =
   | { readonly kind: 'idle' }
   | { readonly kind: 'measuring'; readonly what: ExportKind }
-  | { readonly kind: 'ready'; readonly what: ExportKind; readonly forecast: Forecast | null; readonly maker: Maker }
+  | {
+      readonly kind: 'ready';
+      readonly what: ExportKind;
+      readonly forecast: Forecast | null;
+      readonly maker: Maker;
+      readonly note: string | null;
+    }
   | { readonly kind: 'working'; readonly what: ExportKind; readonly progress: number };
 
 const FPS = 25;
@@ -38,7 +46,8 @@ export async function prepare(what: ExportKind): Promise<void> {
   await attempt(signal, async () => {
     await painted();
     const { forecast, maker } = await measured(what, signal);
-    if (!signal.aborted) exporting.value = { kind: 'ready', what, forecast, maker };
+    const note = await soundNote(what, maker);
+    if (!signal.aborted) exporting.value = { kind: 'ready', what, forecast, maker, note };
   });
 }
 
@@ -98,6 +107,17 @@ async function measured(what: ExportKind, signal: AbortSignal): Promise<{ foreca
   }
 }
 
+/** What becomes of the sound, where it is not as people would expect. */
+async function soundNote(what: ExportKind, maker: Maker): Promise<string | null> {
+  const spoken = sound.value?.buffer;
+  if (!spoken || what === 'svg') return null;
+  if (what === 'animated') return 'Without sound: an SVG has none. It is in step when both are started together.';
+  if (maker === 'server') return 'Without sound: the server renders the picture only.';
+  const codec = await soundCodec(what, spoken);
+  if (!codec) return 'Without sound: this browser cannot encode any.';
+  return what === 'mp4' && codec === 'opus' ? 'Sound as Opus: browsers and VLC play it, QuickTime may stay silent.' : null;
+}
+
 async function made(what: ExportKind, maker: Maker, signal: AbortSignal): Promise<{ data: Blob; name: string }> {
   const { name } = edit.value;
   switch (what) {
@@ -134,7 +154,15 @@ function onStage<T>(use: (performance: Performance) => T): T {
   const { landmarks } = history.value.present;
   if (!open || !landmarks || !track.value || !rigModuleReady.value) throw new Error('Choose a track first: there is nothing to play.');
   const rig = buildRig(open, landmarks);
-  const result = use({ name: edit.value.name, scene: open, landmarks, rig, pose: edit.value.pose, track: track.value });
+  const result = use({
+    name: edit.value.name,
+    scene: open,
+    landmarks,
+    rig,
+    pose: edit.value.pose,
+    track: track.value,
+    sound: sound.value?.buffer ?? null,
+  });
   if (result instanceof Promise) result.finally(() => rig.dispose()).catch(() => {});
   else rig.dispose();
   return result;

@@ -2,6 +2,7 @@
 import type { Scene } from '../api/schema';
 import { buildRig } from '../rig/rig';
 import { frameCount, type Performance } from './motion';
+import { SOUND_BYTES_PER_SECOND } from './soundTrack';
 import { animatedSvg } from './svgFile';
 import { encodeFrames, type VideoOptions } from './videoFile';
 
@@ -23,15 +24,16 @@ export function forecastSvg(performance: Performance): Forecast {
   }
 }
 
-/** Encodes a few frames from the middle of the track. */
+/** Encodes a few frames from the middle of the track, and reckons its sound. */
 export async function forecastVideo(performance: Performance, options: VideoOptions, signal: AbortSignal): Promise<Forecast> {
   const start = now();
   const count = frameCount(performance, options.fps);
   const from = Math.floor(Math.max(0, count - SAMPLED_FRAMES) / 2);
   const to = Math.min(count, from + SAMPLED_FRAMES);
-  const sample = await encodeFrames(performance, options, { from, to }, signal, () => {});
+  const sample = await encodeFrames({ ...performance, sound: null }, options, { from, to }, signal, () => {});
   const scale = count / (to - from);
-  return { bytes: sample.size * scale, seconds: (now() - start) * scale };
+  const soundBytes = performance.sound ? SOUND_BYTES_PER_SECOND * performance.track.duration : 0;
+  return { bytes: sample.size * scale + soundBytes, seconds: (now() - start) * scale };
 }
 
 /** `1.4 MB, about 3 s`. */

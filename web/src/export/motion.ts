@@ -12,6 +12,8 @@ export type Performance = {
   readonly rig: Rig;
   readonly pose: Pose;
   readonly track: Track;
+  /** What the track speaks with. */
+  readonly sound: AudioBuffer | null;
 };
 
 export function verticesAt({ rig, pose, track }: Performance, timeSeconds: number): Float64Array {

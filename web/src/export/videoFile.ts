@@ -3,6 +3,7 @@ import type { Output, VideoCodec } from 'mediabunny';
 import { evenSize, type PixelSize, paintFrame } from './canvas';
 import { type Drawing, drawingOf, frameOf, restFrame } from './drawing';
 import { frameCount, type Performance, verticesAt } from './motion';
+import { addSound, soundCodec } from './soundTrack';
 
 export type VideoKind = 'mp4' | 'webm';
 
@@ -18,7 +19,7 @@ export async function canEncode(kind: VideoKind, size: PixelSize): Promise<boole
   const canvas = new OffscreenCanvas(size.width, size.height);
   if (!canvas.getContext('2d', { alpha: false })) return false;
   try {
-    const encoding = await startEncoding(canvas, kind, 25);
+    const encoding = await startEncoding(canvas, kind, 25, null);
     await encoding.add(0);
     return (await encoding.finish()).size > 0;
   } catch {
@@ -26,7 +27,7 @@ export async function canEncode(kind: VideoKind, size: PixelSize): Promise<boole
   }
 }
 
-/** Encodes all frames of the track. Aborting rejects with the signal's reason. */
+/** Encodes all frames of the track, and its sound. Aborting rejects with the signal's reason. */
 export async function encodeVideo(
   performance: Performance,
   { kind, fps, longerSide }: VideoOptions,
@@ -37,7 +38,7 @@ export async function encodeVideo(
   return encodeFrames(performance, { kind, fps, longerSide }, { from: 0, to: count }, signal, (done) => onProgress(done / count));
 }
 
-/** Encodes the frames `from` … `to` − 1 as a file of their own. */
+/** Encodes the frames `from` … `to` − 1 as a file of their own; sound goes along from its start. */
 export async function encodeFrames(
   performance: Performance,
   { kind, fps, longerSide }: VideoOptions,
@@ -51,7 +52,7 @@ export async function encodeFrames(
   const canvas = new OffscreenCanvas(size.width, size.height);
   const context = canvas.getContext('2d', { alpha: false });
   if (!context) throw new Error('This browser gives no 2D canvas.');
-  const encoding = await startEncoding(canvas, kind, fps);
+  const encoding = await startEncoding(canvas, kind, fps, performance.sound);
   try {
     for (let frame = from; frame < to; frame++) {
       signal.throwIfAborted();
@@ -74,16 +75,21 @@ type Encoding = {
   readonly cancel: () => Promise<void>;
 };
 
-async function startEncoding(canvas: OffscreenCanvas, kind: VideoKind, fps: number): Promise<Encoding> {
+async function startEncoding(canvas: OffscreenCanvas, kind: VideoKind, fps: number, sound: AudioBuffer | null): Promise<Encoding> {
   const { BufferTarget, CanvasSource, Mp4OutputFormat, Output, QUALITY_HIGH, WebMOutputFormat } = await import('mediabunny');
   const format = kind === 'mp4' ? new Mp4OutputFormat({ fastStart: 'in-memory' }) : new WebMOutputFormat();
   const target = new BufferTarget();
   const output: Output = new Output({ format, target });
   const source = new CanvasSource(canvas, { codec: CODECS[kind], bitrate: QUALITY_HIGH, keyFrameInterval: KEY_FRAME_SECONDS });
   output.addVideoTrack(source, { frameRate: fps });
+  const codec = sound && (await soundCodec(kind, sound));
+  const speak = sound && codec ? await addSound(output, codec, sound) : () => Promise.resolve();
   await output.start();
   return {
-    add: (index) => source.add(index / fps, 1 / fps),
+    add: async (index) => {
+      await source.add(index / fps, 1 / fps);
+      await speak((index + 1) / fps);
+    },
     finish: async () => {
       await output.finalize();
       if (!target.buffer) throw new Error('The encoder gave no file.');

@@ -1,5 +1,6 @@
 /** The side panel and its tabs. */
 import type { JSX } from 'preact';
+import { SpeechPanel } from '../speech/SpeechPanel';
 import { panel } from '../store/state';
 import { LayersPanel } from './LayersPanel';
 import { PosePanel } from './PosePanel';
@@ -7,13 +8,15 @@ import { PosePanel } from './PosePanel';
 const TABS = [
   { name: 'layers', label: 'Layers', Panel: LayersPanel },
   { name: 'pose', label: 'Pose', Panel: PosePanel },
+  { name: 'speech', label: 'Speech', Panel: SpeechPanel },
 ] as const;
 
 export function SidePanel(): JSX.Element {
   const { name: shown, label, Panel } = TABS.find(({ name }) => name === panel.value) ?? TABS[0];
   const arrow = (event: KeyboardEvent) => {
     if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
-    panel.value = shown === 'layers' ? 'pose' : 'layers';
+    const place = TABS.findIndex(({ name }) => name === shown) + (event.key === 'ArrowLeft' ? TABS.length - 1 : 1);
+    panel.value = TABS[place % TABS.length].name;
     document.getElementById(`tab-${panel.value}`)?.focus();
   };
   return (

@@ -8,7 +8,7 @@ import type { JobState, Landmarks, Scene } from '../api/schema';
 import type { Edit } from '../store/edit';
 import type { History } from '../store/history';
 import { startPinning } from '../store/opening';
-import { draft, history, job, type PortraitPicture, portrait, scene, session, tracedLandmarks } from '../store/state';
+import { type Clip, clips, draft, history, job, type PortraitPicture, portrait, scene, session, tracedLandmarks } from '../store/state';
 import { resumeTracing } from '../store/tracing';
 
 type Stored = {
@@ -16,11 +16,12 @@ type Stored = {
   readonly scene: Scene | null;
   readonly history: History<Edit>;
   readonly job: { readonly state: JobState | null; readonly landmarks: Landmarks | null };
+  readonly clips: readonly Clip[];
 };
 type Part = keyof Stored;
 
-/** Keys of the records that belong together. */
-type Current = Readonly<Record<Part, number>>;
+/** Keys of the records that belong together; older stores have no clips. */
+type Current = Readonly<Record<Exclude<Part, 'clips'>, number>> & { readonly clips?: number };
 
 type Schema = DBSchema & {
   parts: { key: number; value: Stored[Part] };
@@ -64,7 +65,13 @@ type Saved = { readonly values: Stored | null; readonly keys: Current | null };
 function snapshot(): Stored | null {
   const open = portrait.value;
   if (!open || session.value.kind === 'welcome') return null;
-  return { portrait: open, scene: scene.value, history: history.value, job: jobSnapshot(job.value, tracedLandmarks.value) };
+  return {
+    portrait: open,
+    scene: scene.value,
+    history: history.value,
+    job: jobSnapshot(job.value, tracedLandmarks.value),
+    clips: clips.value,
+  };
 }
 
 let lastJob: Stored['job'] = { state: null, landmarks: null };
@@ -85,7 +92,7 @@ async function write(database: IDBPDatabase<Schema>, saved: Saved): Promise<Save
     await Promise.all([parts.clear(), pointer.clear(), transaction.done]);
     return { values: null, keys: null };
   }
-  const names: readonly Part[] = ['portrait', 'scene', 'history', 'job'];
+  const names: readonly Part[] = ['portrait', 'scene', 'history', 'job', 'clips'];
   const keep = (name: Part) => (saved.values && saved.keys && saved.values[name] === values[name] ? saved.keys[name] : null);
   const entries = await Promise.all(names.map(async (name) => [name, keep(name) ?? (await parts.add(values[name]))] as const));
   const keys = Object.fromEntries(entries) as Current;
@@ -98,12 +105,13 @@ async function write(database: IDBPDatabase<Schema>, saved: Saved): Promise<Save
 async function restore(database: IDBPDatabase<Schema>): Promise<Saved> {
   const keys = await database.get('pointer', 'current');
   if (!keys) return { values: null, keys: null };
-  const read = async <P extends Part>(name: P) => (await database.get('parts', keys[name])) as Stored[P];
+  const read = async <P extends Exclude<Part, 'clips'>>(name: P) => (await database.get('parts', keys[name])) as Stored[P];
   const values: Stored = {
     portrait: await read('portrait'),
     scene: await read('scene'),
     history: await read('history'),
     job: await read('job'),
+    clips: keys.clips === undefined ? [] : ((await database.get('parts', keys.clips)) as Stored['clips']),
   };
   if (!values.portrait || !values.history) return { values: null, keys: null };
   show(values);
@@ -114,6 +122,7 @@ function show(values: Stored): void {
   portrait.value = values.portrait;
   scene.value = values.scene;
   history.value = values.history;
+  clips.value = values.clips;
   draft.value = null;
   session.value = { kind: 'editing' };
   if (values.job.state) resumeTracing(values.job.state, values.job.landmarks);

@@ -1,10 +1,12 @@
 /** Saves the open work as a `.vtalk` file and opens one. */
-import type { Project } from '../api/schema';
+import type { Project, Track } from '../api/schema';
+import { clipsOf } from '../speech/clips';
+import { audioOf } from '../speech/speechTrack';
 import { type Edit, editOf, LAYER_NAMES, type LayerLook, type LayerName } from '../store/edit';
 import { historyOf } from '../store/history';
 import { announce, FileError } from '../store/notices';
 import { clearStage } from '../store/opening';
-import { history, portrait, scene, session, tracedLandmarks } from '../store/state';
+import { clips, history, portrait, scene, session, tracedLandmarks } from '../store/state';
 import { pause } from '../timeline/playback';
 import { pack, unpack } from './vtalk';
 
@@ -12,13 +14,13 @@ export async function saveProject(): Promise<void> {
   const project = projectOf();
   const picture = portrait.value?.picture ?? null;
   const source = picture && project.source ? new Uint8Array(await picture.arrayBuffer()) : null;
-  const data = await pack({ project, source, audio: null });
+  const data = await pack({ project, source, sounds: await soundsOf(history.value.present) });
   download(new Blob([data as Uint8Array<ArrayBuffer>], { type: 'application/zip' }), `${project.name}.vtalk`);
   announce(`Saved ${project.name}.vtalk`);
 }
 
 export async function openProjectFile(file: File): Promise<void> {
-  const { project, source } = await unpack(new Uint8Array(await file.arrayBuffer()), file.name);
+  const { project, source, sounds } = await unpack(new Uint8Array(await file.arrayBuffer()), file.name);
   clearStage();
   pause();
   const { width, height } = project.scene;
@@ -26,6 +28,7 @@ export async function openProjectFile(file: File): Promise<void> {
   portrait.value = { id: null, name: project.source ?? file.name, width, height, picture, notices: [] };
   scene.value = project.scene;
   tracedLandmarks.value = project.landmarks;
+  clips.value = Array.from(sounds, ([name, data]) => ({ name, data: new Blob([data as Uint8Array<ArrayBuffer>]) }));
   history.value = historyOf(editFrom(project));
   session.value = { kind: 'editing' };
 }
@@ -36,16 +39,28 @@ export function projectOf(): Project {
   if (!open) throw new FileError('There is no vector picture to save yet.');
   const { name, landmarks, pose, tracks, layers } = history.value.present;
   const source = portrait.value?.picture ? `source.${endingOf(portrait.value.picture)}` : null;
-  return { schema_version: 1, name, scene: open, landmarks, pose, tracks: [...tracks], settings: settingsOf(layers), source };
+  const audio = clipsOf(history.value.present)[0]?.name ?? null;
+  return { schema_version: 1, name, scene: open, landmarks, pose, tracks: [...tracks], settings: settingsOf(layers), source, audio };
 }
 
-function editFrom({ name, landmarks, pose, tracks, settings }: Project): Edit {
+async function soundsOf(edit: Edit): Promise<Map<string, Uint8Array>> {
+  const read = clipsOf(edit).map(async ({ name, data }) => [name, new Uint8Array(await data.arrayBuffer())] as const);
+  return new Map(await Promise.all(read));
+}
+
+function editFrom({ name, landmarks, pose, tracks, settings, audio }: Project): Edit {
   const plain = editOf(name, landmarks);
   const layers = Object.fromEntries(LAYER_NAMES.map((layer) => [layer, lookFrom(settings, layer, plain.layers[layer])])) as Record<
     LayerName,
     LayerLook
   >;
-  return { ...plain, pose, tracks, layers };
+  return { ...plain, pose, tracks: audio ? speakingWith(audio, tracks) : tracks, layers };
+}
+
+/** Other programs name the sound of the project only: it is that of the track on the timeline. */
+function speakingWith(audio: string, tracks: readonly Track[]): Track[] {
+  const isNamed = tracks.some((track) => audioOf(track) !== null);
+  return tracks.map((track, place) => (isNamed || place > 0 ? track : { ...track, audio }));
 }
 
 /** Layer looks as flat settings: `back_visible`, `back_opacity`, … */

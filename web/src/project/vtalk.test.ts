@@ -1,6 +1,6 @@
 import { strToU8, zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
-import type { Project } from '../api/schema';
+import type { Project, Track } from '../api/schema';
 import { pack, unpack } from './vtalk';
 
 const SQUARE = [0, 0, 1, 0, 2, 0, 3, 0, 3, 1, 3, 2, 3, 3, 2, 3, 1, 3, 0, 3, 0, 2, 0, 1];
@@ -28,15 +28,31 @@ const zipOf = (document: unknown) => zipSync({ 'project.json': strToU8(JSON.stri
 describe('a .vtalk file', () => {
   it('comes back as it was saved, with its picture', async () => {
     const source = new Uint8Array([137, 80, 78, 71]);
-    const file = await unpack(await pack({ project: PROJECT, source, audio: null }), 'ada.vtalk');
+    const file = await unpack(await pack({ project: PROJECT, source, sounds: new Map() }), 'ada.vtalk');
     expect(file.project).toMatchObject(PROJECT);
     expect(file.source).toEqual(source);
-    expect(file.audio).toBeNull();
+    expect(file.sounds.size).toBe(0);
   });
 
   it('has the same bytes for the same project', async () => {
-    const file = { project: PROJECT, source: new Uint8Array(9), audio: null };
+    const file = { project: PROJECT, source: new Uint8Array(9), sounds: new Map() };
     expect(await pack(file)).toEqual(await pack(file));
+  });
+
+  it('holds the sound of every track that speaks, that on the timeline as the project’s own', async () => {
+    const speaking = (audio: string): Track => ({ ...PROJECT.tracks[0], name: audio, audio }) as Track; // tracks carry more than the schema names
+    const project = {
+      ...PROJECT,
+      audio: 'speech-a.wav',
+      tracks: [speaking('speech-a.wav'), speaking('speech-b.wav'), speaking('gone.wav')],
+    };
+    const sounds = new Map([
+      ['speech-a.wav', new Uint8Array([1])],
+      ['speech-b.wav', new Uint8Array([2, 3])],
+    ]);
+    const file = await unpack(await pack({ project, source: new Uint8Array(1), sounds }), 'ada.vtalk');
+    expect(file.sounds).toEqual(sounds);
+    expect(file.project.tracks[1]).toMatchObject({ audio: 'speech-b.wav' });
   });
 
   it('fills in what may be left out', async () => {

@@ -1,6 +1,7 @@
-/** A project becomes a `.vtalk` file (a zip of project.json and the source picture) and back. The server's project.py reads the same. */
+/** A project becomes a `.vtalk` file (a zip of project.json, the source picture and sounds) and back. The server's project.py reads the same. */
 import { strFromU8, strToU8, type Unzipped, unzip, type Zippable, zip } from 'fflate';
 import type { Project } from '../api/schema';
+import { audioOf } from '../speech/speechTrack';
 import { FileError } from '../store/notices';
 import { validProject } from './validation';
 
@@ -10,17 +11,18 @@ const MAX_FILE_BYTES = 128_000_000;
 const MAX_ENTRY_BYTES = 64_000_000;
 const FIXED_DATE = new Date(1980, 0, 1); // same project, same bytes
 
-/** The document and the bytes of `project.source` and `project.audio`, which are there if they are named. */
-export type ProjectFile = { readonly project: Project; readonly source: Uint8Array | null; readonly audio: Uint8Array | null };
+/** The document, the bytes of `project.source`, and by name those of `project.audio` and of the sounds that tracks name. */
+export type ProjectFile = {
+  readonly project: Project;
+  readonly source: Uint8Array | null;
+  readonly sounds: ReadonlyMap<string, Uint8Array>;
+};
 
-export function pack({ project, source, audio }: ProjectFile): Promise<Uint8Array> {
+export function pack({ project, source, sounds }: ProjectFile): Promise<Uint8Array> {
   const entries: Zippable = { [DOCUMENT]: [strToU8(JSON.stringify(project)), { level: 6 }] };
-  for (const [name, data] of [
-    [project.source, source],
-    [project.audio, audio],
-  ] as const) {
-    if (name && data) entries[name] = [data, { level: 0 }]; // media are compressed already
-  }
+  const stored = (data: Uint8Array) => [data, { level: 0 }] as const satisfies Zippable[string]; // media are compressed already
+  if (project.source && source) entries[project.source] = stored(source);
+  for (const [name, data] of sounds) entries[name] = stored(data);
   return new Promise((resolve, reject) => zip(entries, { mtime: FIXED_DATE }, (error, data) => (error ? reject(error) : resolve(data))));
 }
 
@@ -32,7 +34,10 @@ export async function unpack(data: Uint8Array, name: string): Promise<ProjectFil
   const document = entries[DOCUMENT];
   if (!document) throw new FileError(`${name} is no project file: it holds no ${DOCUMENT}.`);
   const project = projectOf(strFromU8(document), name);
-  return { project, source: media(entries, project.source, name), audio: media(entries, project.audio, name) };
+  const spoken = project.tracks.map(audioOf).flatMap((entry) => (entry !== null && entry in entries ? [entry] : [])); // tracks come from elsewhere, too
+  const named = new Set([...(project.audio ? [project.audio] : []), ...spoken]);
+  const sounds = new Map([...named].map((entry) => [entry, media(entries, entry, name)] as const));
+  return { project, source: project.source ? media(entries, project.source, name) : null, sounds };
 }
 
 function entriesOf(data: Uint8Array, name: string): Promise<Unzipped> {
@@ -70,8 +75,7 @@ function parsed(text: string, name: string): unknown {
   }
 }
 
-function media(entries: Unzipped, entry: string | null | undefined, name: string): Uint8Array | null {
-  if (!entry) return null;
+function media(entries: Unzipped, entry: string, name: string): Uint8Array {
   const data = entries[entry];
   if (!data) throw new FileError(`${name} holds no ${entry}: save the project again.`);
   return data;

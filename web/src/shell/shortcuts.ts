@@ -34,6 +34,8 @@ export type Shortcut = {
 
 export type ShortcutGroup = { readonly label: string; readonly shortcuts: readonly Shortcut[] };
 
+const PANELS = ['layers', 'pose', 'speech'] as const;
+
 const LAYER_KEYS = [...LAYER_NAMES].reverse().map(
   (name, index): Shortcut => ({
     keys: [`${index + 1}`],
@@ -79,9 +81,9 @@ export const SHORTCUT_GROUPS: readonly ShortcutGroup[] = [
       ...LAYER_KEYS,
       {
         keys: ['p'],
-        label: 'Other panel',
+        label: 'Next panel',
         run: () => {
-          panel.value = panel.value === 'pose' ? 'layers' : 'pose';
+          panel.value = PANELS[(PANELS.indexOf(panel.value) + 1) % PANELS.length];
         },
       },
     ],

@@ -2,16 +2,17 @@
  * Edits of a viseme track: pure functions from blocks to blocks. Blocks are in order and never overlap; neighbours that touch keep
  * touching, so that a retimed block takes the time from its neighbour. Times are seconds.
  */
+import type { VisemeBlock } from '../api/schema';
 import type { Viseme } from './visemes';
 
-export type Block = { readonly t: number; readonly d: number; readonly viseme: Viseme; readonly weight: number };
+export type Block = Readonly<VisemeBlock>;
 export type Blocks = readonly Block[];
 export type Edge = 'start' | 'end';
 
 /** As short as the server's decoder makes them: a mouth is no quicker. */
 export const LEAST_SECONDS = 0.04;
 const NEW_SECONDS = 0.12;
-const TOUCHING = 1e-3; // times are written in milliseconds
+const TOUCHING = 2e-3; // times are rounded to milliseconds
 
 export const endOf = ({ t, d }: Block): number => t + d;
 

@@ -1,8 +1,9 @@
 /** The fifteen visemes (Oculus names): what people read for them, and the mouth shapes of Rhubarb Lip Sync that are nearest. */
+import type { VisemeBlock } from '../api/schema';
 
-export const VISEMES = ['sil', 'PP', 'FF', 'TH', 'DD', 'kk', 'CH', 'SS', 'nn', 'RR', 'aa', 'E', 'I', 'O', 'U'] as const;
+export type Viseme = VisemeBlock['viseme'];
 
-export type Viseme = (typeof VISEMES)[number];
+export const VISEMES: readonly Viseme[] = ['sil', 'PP', 'FF', 'TH', 'DD', 'kk', 'CH', 'SS', 'nn', 'RR', 'aa', 'E', 'I', 'O', 'U'];
 
 /** The sounds of each viseme, as English spells them. */
 export const SOUNDS: Readonly<Record<Viseme, string>> = {

@@ -95,6 +95,11 @@ export function withTrack(edit: Edit, track: Track): Edit {
   return { ...edit, tracks: [track, ...edit.tracks.filter((other) => other !== track && other.name !== track.name)] };
 }
 
+/** `next` where `old` was; the same document where it is no more. */
+export function withTrackReplaced(edit: Edit, old: Track, next: Track): Edit {
+  return edit.tracks.includes(old) ? { ...edit, tracks: edit.tracks.map((track) => (track === old ? next : track)) } : edit;
+}
+
 /** 68 offsets, zeros where the pose has none. */
 export function offsetsOf(pose: Pose): Xy[] {
   return pose.offsets ?? Array.from({ length: N_LANDMARKS }, (): Xy => [0, 0]);

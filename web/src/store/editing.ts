@@ -25,6 +25,11 @@ export function apply(change: (edit: Edit) => Edit): void {
   history.value = commit(history.value, change(history.value.present));
 }
 
+/** Changes the present document without a step: what was asked for earlier has come. */
+export function amend(change: (edit: Edit) => Edit): void {
+  history.value = { ...history.value, present: change(history.value.present) };
+}
+
 export function undoStep(): void {
   draft.value = null;
   history.value = undo(history.value);

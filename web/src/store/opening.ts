@@ -5,7 +5,7 @@ import { editOf, withLandmarks } from './edit';
 import { apply } from './editing';
 import { historyOf } from './history';
 import { announce, dismiss, report, tell } from './notices';
-import { draft, edit, history, type Pins, playing, portrait, scene, session, timeSeconds, tool, tracedLandmarks } from './state';
+import { clips, draft, edit, history, type Pins, playing, portrait, scene, session, timeSeconds, tool, tracedLandmarks } from './state';
 import { leaveJob, startTracing } from './tracing';
 
 let opening = new AbortController();
@@ -81,6 +81,7 @@ export function clearStage(): void {
   portrait.value = null;
   scene.value = null;
   tracedLandmarks.value = null;
+  clips.value = [];
   playing.value = false;
   timeSeconds.value = 0;
 }

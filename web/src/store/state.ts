@@ -20,6 +20,9 @@ export type PortraitPicture = {
 /** Left eye, right eye, nose tip, left and right mouth corner, in portrait pixels. */
 export type Pins = readonly [Xy, Xy, Xy, Xy, Xy];
 
+/** A sound that tracks of the project speak with, under its file name in the project. */
+export type Clip = { readonly name: string; readonly data: Blob };
+
 export type Session =
   | { readonly kind: 'welcome' }
   | { readonly kind: 'uploading'; readonly name: string; readonly picture: Blob }
@@ -48,6 +51,8 @@ export const edit = computed(() => draft.value ?? history.value.present);
 export const preset = signal<VectorizeOptions['preset']>('standard');
 export const job = signal<JobState | null>(null);
 export const connection = signal<Connection | null>(null);
+/** Kept beside the history, so that steps hold names of sounds and no sounds. */
+export const clips = signal<readonly Clip[]>([]);
 /** The landmarks that the scene was drawn for; differ from the edit's after a correction. */
 export const tracedLandmarks = signal<Landmarks | null>(null);
 
@@ -66,7 +71,7 @@ export const looping = signal(true);
 /** The playhead; 0 is the start of the track. */
 export const timeSeconds = signal(0);
 
-export const panel = signal<'layers' | 'pose'>('pose');
+export const panel = signal<'layers' | 'pose' | 'speech'>('pose');
 export const shortcutsShown = signal(false);
 export const notice = signal<Notice | null>(null);
 /** Read out by screen readers. */

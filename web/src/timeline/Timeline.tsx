@@ -1,7 +1,9 @@
 /** Transport, track menu and the curves of the track on the timeline. */
 import { useComputed } from '@preact/signals';
 import type { JSX } from 'preact';
+import type { Track } from '../api/schema';
 import { Button, IconButton } from '../shell/Button';
+import { SpeechStrip } from '../speech/SpeechStrip';
 import { toggle } from '../store/looking';
 import { canPose, looping, playing, timeSeconds, track } from '../store/state';
 import { useTrack } from '../store/tracks';
@@ -28,6 +30,7 @@ export function Timeline(): JSX.Element {
         <Clock duration={current?.duration ?? 0} />
         <TrackMenu />
       </div>
+      <SpeechStrip />
       {current ? <Lanes key={current.name} disabled={disabled} /> : <Invitation />}
     </section>
   );
@@ -68,20 +71,27 @@ function Lanes({ disabled }: { readonly disabled: boolean }): JSX.Element | null
           <Curve key={lane.label} lane={lane} />
         ))}
         <Playhead duration={current.duration} />
-        <input
-          class="scrubber"
-          type="range"
-          aria-label="Playhead"
-          aria-valuetext={`${timeSeconds.value.toFixed(2)} seconds`}
-          min={0}
-          max={current.duration}
-          step={1 / current.fps}
-          value={timeSeconds.value}
-          disabled={disabled}
-          onInput={(event) => seek(event.currentTarget.valueAsNumber)}
-        />
+        <Scrubber track={current} disabled={disabled} />
       </div>
     </div>
+  );
+}
+
+/** Apart from the curves, which are not drawn anew while a track plays. */
+function Scrubber({ track: { duration, fps }, disabled }: { readonly track: Track; readonly disabled: boolean }): JSX.Element {
+  return (
+    <input
+      class="scrubber"
+      type="range"
+      aria-label="Playhead"
+      aria-valuetext={`${timeSeconds.value.toFixed(2)} seconds`}
+      min={0}
+      max={duration}
+      step={1 / fps}
+      value={timeSeconds.value}
+      disabled={disabled}
+      onInput={(event) => seek(event.currentTarget.valueAsNumber)}
+    />
   );
 }
 

@@ -26,7 +26,16 @@ export function lanesOf(track: Track): Lane[] {
     const curves = [articulatorCurve(track, channels), landmarkCurve(track, POINTS_OF_LANE[label])].filter((curve) => curve.length > 0);
     return { label, values: curves.length === 2 ? longer(curves[0], curves[1]) : (curves[0] ?? []) };
   });
-  return lanes.filter(({ values }) => values.some((value) => value > 0));
+  return lanes.filter(({ values }) => values.some((value) => value > 0)).map(({ label, values }) => ({ label, values: thinned(values) }));
+}
+
+const MOST_POINTS = 1200; // about what a screen is wide
+
+/** The largest of every few values, so that an hour draws as quickly as a second. */
+function thinned(values: readonly number[]): readonly number[] {
+  const every = Math.ceil(values.length / MOST_POINTS);
+  if (every <= 1) return values;
+  return Array.from({ length: Math.ceil(values.length / every) }, (_, k) => Math.max(...values.slice(k * every, (k + 1) * every)));
 }
 
 function articulatorCurve({ articulators }: Track, channels: Readonly<Record<string, number>>): number[] {

@@ -1,23 +1,28 @@
-/** The clock of the timeline: play, pause, scrub, loop. */
+/** The transport of the timeline: play, pause, scrub, loop. Where there is sound, its clock leads. */
+import { sound } from '../speech/sound';
+import { soundClock } from '../speech/soundClock';
 import { leaveRest } from '../store/looking';
 import { looping, playing, timeSeconds, track } from '../store/state';
+import { type Clock, wallClock } from './clock';
 
 let request = 0;
-let lastTick = 0;
+let clock: Clock | null = null;
+/** What `clock` plays. */
+let heard = sound.peek();
 
 export function play(): void {
   const current = track.value;
   if (!current || playing.value) return;
-  if (timeSeconds.value >= current.duration) timeSeconds.value = 0;
   leaveRest();
   playing.value = true;
-  lastTick = performance.now();
+  startClock(timeSeconds.value < current.duration ? timeSeconds.value : 0);
   request = requestAnimationFrame(tick);
 }
 
 export function pause(): void {
   playing.value = false;
   cancelAnimationFrame(request);
+  stopClock();
 }
 
 export function togglePlaying(): void {
@@ -28,7 +33,9 @@ export function togglePlaying(): void {
 /** Moves the playhead, within the track. */
 export function seek(seconds: number): void {
   leaveRest();
-  timeSeconds.value = Math.min(Math.max(seconds, 0), track.value?.duration ?? 0);
+  const within = Math.min(Math.max(seconds, 0), track.value?.duration ?? 0);
+  if (playing.value) startClock(within);
+  else timeSeconds.value = within;
 }
 
 export function stepFrames(count: number): void {
@@ -42,13 +49,25 @@ export function rewind(): void {
   timeSeconds.value = 0;
 }
 
-function tick(now: number): void {
+function startClock(from: number): void {
+  stopClock();
+  timeSeconds.value = from;
+  heard = sound.value;
+  clock = heard ? soundClock(heard.buffer, from) : wallClock(from);
+}
+
+function stopClock(): void {
+  clock?.stop();
+  clock = null;
+}
+
+function tick(): void {
   const current = track.value;
-  if (!current || !playing.value) return pause();
-  const next = timeSeconds.value + (now - lastTick) / 1000;
-  lastTick = now;
+  if (!current || !clock || !playing.value) return pause();
+  if (heard !== sound.value) startClock(timeSeconds.value);
+  const next = clock.seconds();
   if (next < current.duration) timeSeconds.value = next;
-  else if (looping.value) timeSeconds.value = next % current.duration;
+  else if (looping.value) startClock(next % current.duration);
   else {
     timeSeconds.value = current.duration;
     return pause();

@@ -2,20 +2,30 @@
 
 import { signal } from '@preact/signals';
 import { openProjectFile } from '../project/files';
-import { report } from '../store/notices';
+import { takeSound } from '../speech/listening';
+import { isSound } from '../speech/soundFiles';
+import { report, tell } from '../store/notices';
 import { openPicture } from '../store/opening';
-import { canPose } from '../store/state';
+import { canPose, panel } from '../store/state';
 import { openTrackFile } from '../store/tracks';
 
 /** Whether a file hovers over the page. */
 export const dragging = signal(false);
 
-/** Portraits, projects and tracks, told apart by name; everything else is tried as a portrait. */
+/** Portraits, projects, tracks and sounds, told apart by name; everything else is tried as a portrait. */
 export function openFile(file: File): void {
   const isTrack = /\.(json|csv)$/i.test(file.name);
   if (/\.vtalk$/i.test(file.name)) openProjectFile(file).catch(report);
   else if (isTrack && canPose.value) openTrackFile(file).catch(report);
+  else if (isSound(file)) openSound(file);
   else openPicture(file, file.name || 'Pasted picture').catch(report);
+}
+
+/** The portrait on the stage speaks it. */
+function openSound(file: File): void {
+  if (!canPose.value) return tell({ kind: 'advice', text: 'Open a portrait first; then drop the sound that it should speak.' });
+  panel.value = 'speech';
+  takeSound(file, file.name).catch(report);
 }
 
 export async function openSample(url: string, name: string): Promise<void> {

@@ -1,0 +1,110 @@
+/** The waveform of the shown part. A click moves the playhead, a drag selects a part to be listened to again. */
+
+import { effect, useSignal, useSignalEffect } from '@preact/signals';
+import type { JSX, TargetedPointerEvent } from 'preact';
+import { useEffect, useRef } from 'preact/hooks';
+import type { Span } from '../api/schema';
+import { theme, timeSeconds } from '../store/state';
+import { seek } from '../timeline/playback';
+import { peaksOf } from './envelope';
+import { sound } from './sound';
+import { selectedSpan } from './state';
+import { shareOf, shownSpan, timeAt } from './stripView';
+
+const LEAST_SPAN_SECONDS = 0.2; // shorter drags are clicks
+
+export function Waveform(): JSX.Element {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const width = useSignal(0);
+  const pressed = useRef<number | null>(null);
+  useEffect(
+    () =>
+      observeWidth(canvas.current, (next) => {
+        width.value = next;
+      }),
+    [],
+  );
+  useSignalEffect(() => {
+    theme.value; // other colours
+    if (canvas.current && width.value > 0) draw(canvas.current, width.value, shownSpan.value);
+  });
+  const timeOf = (event: TargetedPointerEvent<HTMLElement>) =>
+    timeAt(event.clientX, event.currentTarget.getBoundingClientRect(), shownSpan.value);
+  return (
+    <div
+      class="waveform"
+      onPointerDown={(event) => {
+        event.currentTarget.setPointerCapture(event.pointerId);
+        pressed.current = timeOf(event);
+        selectedSpan.value = null;
+      }}
+      onPointerMove={(event) => {
+        if (pressed.current !== null) selectedSpan.value = spanBetween(pressed.current, timeOf(event));
+      }}
+      onPointerUp={(event) => {
+        if (pressed.current !== null && !selectedSpan.value) seek(timeOf(event));
+        pressed.current = null;
+      }}
+      onPointerCancel={() => {
+        pressed.current = null;
+        selectedSpan.value = null;
+      }}
+    >
+      <canvas ref={canvas} role="img" aria-label="Waveform" />
+      <Selection />
+    </div>
+  );
+}
+
+function Selection(): JSX.Element | null {
+  const span = selectedSpan.value;
+  if (!span) return null;
+  const left = shareOf(span.start, shownSpan.value);
+  const right = shareOf(span.end, shownSpan.value);
+  return <i class="selected-span" style={{ left: `${100 * left}%`, width: `${100 * (right - left)}%` }} />;
+}
+
+/** Moves itself, in the same frame as the picture: nothing is drawn anew while a track plays. */
+export function StripPlayhead(): JSX.Element {
+  const mark = useRef<HTMLElement>(null);
+  useEffect(
+    () =>
+      effect(() => {
+        const share = shareOf(timeSeconds.value, shownSpan.value);
+        if (!mark.current) return;
+        mark.current.style.left = `${100 * share}%`;
+        mark.current.hidden = share < 0 || share > 1;
+      }),
+    [],
+  );
+  return <i class="playhead" ref={mark} />;
+}
+
+function spanBetween(a: number, b: number): Span | null {
+  const span = { start: Math.max(0, Math.min(a, b)), end: Math.max(a, b) };
+  return span.end - span.start < LEAST_SPAN_SECONDS ? null : span;
+}
+
+/** One bar a device pixel, mirrored about the middle. */
+function draw(canvas: HTMLCanvasElement, width: number, { start, end }: Span): void {
+  const context = canvas.getContext('2d');
+  if (!context) return;
+  const scale = window.devicePixelRatio;
+  canvas.width = Math.round(width * scale);
+  canvas.height = Math.round(canvas.clientHeight * scale);
+  const heard = sound.value;
+  if (!heard) return;
+  context.fillStyle = getComputedStyle(canvas).color;
+  const middle = canvas.height / 2;
+  peaksOf(heard.mono, start, end, canvas.width).forEach((peak, x) => {
+    const half = Math.max(0.5, peak * middle);
+    context.fillRect(x, middle - half, 1, 2 * half);
+  });
+}
+
+function observeWidth(element: HTMLElement | null, onWidth: (width: number) => void): (() => void) | undefined {
+  if (!element) return undefined;
+  const observer = new ResizeObserver(([{ contentRect }]) => onWidth(contentRect.width));
+  observer.observe(element);
+  return () => observer.disconnect();
+}

@@ -1,0 +1,129 @@
+/** Actions from a sound to a track: a rough one at once, then what the server hears in it. */
+import { RequestError } from '../api/client';
+import { jobDone } from '../api/events';
+import type { Span, Track } from '../api/schema';
+import { getRecordingAudio, getSpeechResult, postRecording, postSpeech, postSpoken } from '../api/speech';
+import { withTrackReplaced } from '../store/edit';
+import { amend, apply } from '../store/editing';
+import { announce, FileError, report } from '../store/notices';
+import { track } from '../store/state';
+import { useTrack } from '../store/tracks';
+import { keepClip } from './clips';
+import { roughTrack } from './envelope';
+import { retrack } from './retracking';
+import { clip, soundOf } from './sound';
+import { audioOf, blocksOf, choicesOf, type SpeechTrack, tierOf } from './speechTrack';
+import { choices, keepingChoices, type Listening, listening } from './state';
+
+let stopper = new AbortController();
+
+/** The server's names of sounds that it has been given. */
+const recordingIds = new WeakMap<Blob, string>();
+
+/** A sound file, dropped, picked or recorded, becomes a track that plays at once and gets better. */
+export function takeSound(data: Blob, label: string): Promise<void> {
+  return attempt({ kind: 'opening', label }, (signal) => speakWith(data, label, signal));
+}
+
+/** A text is spoken by the server, and is its own transcript. */
+export function speakText(text: string): Promise<void> {
+  return attempt({ kind: 'sending' }, async (signal) => {
+    const spoken = await postSpoken(text, choices.value.options.language, signal);
+    const data = await getRecordingAudio(spoken.id, signal);
+    recordingIds.set(data, spoken.id);
+    await speakWith(data, titleOf(text), signal, text);
+  });
+}
+
+/** The sound of the track on the timeline is heard again, all of it or a part, with the present choices. */
+export function listenAgain(part: Span | null): Promise<void> {
+  return attempt({ kind: 'sending' }, async (signal) => {
+    const base = track.value;
+    if (base) await listen(base, part, signal);
+  });
+}
+
+/** Stops whatever is under way; the rough track stays. */
+export function cancelListening(): void {
+  stopper.abort();
+  listening.value = { kind: 'idle' };
+}
+
+async function attempt(first: Listening, work: (signal: AbortSignal) => Promise<void>): Promise<void> {
+  stopper.abort();
+  stopper = new AbortController();
+  const { signal } = stopper;
+  listening.value = first;
+  try {
+    await work(signal);
+  } catch (error) {
+    if (!signal.aborted) report(error);
+  }
+  if (!signal.aborted) listening.value = { kind: 'idle' };
+}
+
+async function speakWith(data: Blob, label: string, signal: AbortSignal, spokenText?: string): Promise<void> {
+  const { mono } = await soundOf(data, label);
+  signal.throwIfAborted();
+  choices.value = { ...choices.value, transcript: spokenText ?? typedTranscript() };
+  const { name } = keepClip(data, label);
+  const rough: SpeechTrack = { ...roughTrack(mono, titleOf(label)), tier: 'rough', audio: name, choices: choices.value };
+  useTrack(rough);
+  await listen(rough, null, signal);
+}
+
+/** What was typed for the new sound; the words of the track before are not its words. */
+function typedTranscript(): string {
+  const { transcript } = choices.value;
+  return transcript === choicesOf(track.value)?.transcript ? '' : transcript;
+}
+
+async function listen(base: Track, part: Span | null, signal: AbortSignal): Promise<void> {
+  const asked = choices.value;
+  const request = {
+    transcript: asked.transcript.trim() || null,
+    options: asked.options,
+    part,
+    visemes: part && [...(blocksOf(base) ?? [])],
+  };
+  const job = await withRecording(signal, (recording_id) => postSpeech({ recording_id, ...request }, signal));
+  await jobDone(job.id, signal, ({ phase, stage, progress }) => {
+    if (!signal.aborted) listening.value = { kind: 'listening', stage: phase === 'queued' ? 'waiting' : stage, progress };
+  });
+  const { track: heard, visemes, loudness, tier } = await getSpeechResult(job.id, signal);
+  const { name } = base;
+  keepingChoices(() => place(base, { ...heard, name, visemes, loudness, tier, audio: audioOf(base) ?? undefined, choices: asked }));
+  announce(`The lips follow ${name}`);
+  if (choices.value.options !== asked.options) retrack();
+}
+
+/** A better track takes the place of the rough one without a step of its own; any other change is one. */
+function place(base: Track, heard: SpeechTrack): void {
+  const change = tierOf(base) === 'rough' ? amend : apply;
+  change((present) => withTrackReplaced(present, base, heard));
+}
+
+/** Gives `use` the server's name of the sound; it is sent anew if the server has dropped it. */
+async function withRecording<T>(signal: AbortSignal, use: (recordingId: string) => Promise<T>): Promise<T> {
+  const spoken = clip.value;
+  if (!spoken) throw new FileError('This track has no sound to listen to: choose a sound file.');
+  const known = recordingIds.get(spoken.data);
+  if (known) {
+    try {
+      return await use(known);
+    } catch (error) {
+      if (!(error instanceof RequestError && error.code === 'not_found')) throw error;
+    }
+  }
+  const { id } = await postRecording(spoken.data, spoken.name, signal);
+  recordingIds.set(spoken.data, id);
+  return use(id);
+}
+
+const MAX_TITLE = 40;
+
+/** A file name without its ending, or the first words of a text. */
+function titleOf(label: string): string {
+  const title = label.replace(/\.\w{1,5}$/, '').trim();
+  return title.length > MAX_TITLE ? `${title.slice(0, MAX_TITLE - 1).trimEnd()}…` : title || 'Speech';
+}

@@ -1,0 +1,62 @@
+/** Actions on blocks and manner: each asks the server for the track of the blocks, and is one step. */
+import type { SpeechOptions } from '../api/schema';
+import { postVisemes } from '../api/speech';
+import { withTrackReplaced } from '../store/edit';
+import { apply } from '../store/editing';
+import { report } from '../store/notices';
+import { track } from '../store/state';
+import type { Blocks } from './blocks';
+import { blocksOf, loudnessOf, type SpeechTrack } from './speechTrack';
+import { blocks, choices, keepingChoices, pendingBlocks } from './state';
+
+const SETTLED_MILLISECONDS = 150;
+
+/** Edits wait for each other, so that every one becomes a step, in order. */
+let queue = Promise.resolve();
+let queued = 0;
+let settling: ReturnType<typeof setTimeout> | undefined;
+
+/** Blocks as they were edited; shown at once, spoken when the server has answered. */
+export function editBlocks(next: Blocks): void {
+  if (next === blocks.value) return;
+  pendingBlocks.value = next;
+  enqueue(next, { tier: 'edited' });
+}
+
+/** A slider on its way: shown, not yet spoken. */
+export function sketchChoice(next: Partial<SpeechOptions>): void {
+  choices.value = { ...choices.value, options: { ...choices.value.options, ...next } };
+}
+
+/** Manner, gains, amplitude, smoothing: taken up by the track on the timeline as soon as they rest. */
+export function choose(next: Partial<SpeechOptions>): void {
+  sketchChoice(next);
+  clearTimeout(settling);
+  settling = setTimeout(retrack, SETTLED_MILLISECONDS);
+}
+
+/** The track of the blocks on the timeline, made anew with the present choices. */
+export function retrack(): void {
+  const present = blocks.value;
+  if (present) enqueue(present, {});
+}
+
+function enqueue(next: Blocks, beside: Partial<SpeechTrack>): void {
+  queued += 1;
+  queue = queue
+    .then(() => place(next, beside))
+    .catch(report)
+    .finally(() => {
+      queued -= 1;
+      if (queued === 0) pendingBlocks.value = null;
+    });
+}
+
+async function place(next: Blocks, beside: Partial<SpeechTrack>): Promise<void> {
+  const base = track.value;
+  if (!base || !blocksOf(base)) return;
+  const asked = choices.value;
+  const { articulators } = await postVisemes(next, base.duration, loudnessOf(base), asked.options);
+  const spoken: SpeechTrack = { ...base, ...beside, articulators, landmarks: null, visemes: [...next], choices: asked };
+  keepingChoices(() => apply((present) => withTrackReplaced(present, base, spoken)));
+}
