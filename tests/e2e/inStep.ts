@@ -10,7 +10,7 @@ declare global {
   }
 }
 
-/** From the next page on, every frame adds a sample to `window.lipsAndSound`. */
+/** From the next page on, every frame adds a sample to `window.lipsAndSound`: the sound at its start, and the picture at its end. */
 export async function watchLipsAndSound(page: Page): Promise<void> {
   await page.addInitScript(() => {
     const samples: Sample[] = [];
@@ -44,8 +44,12 @@ export async function watchLipsAndSound(page: Page): Promise<void> {
       const heights = numbers.map(Number).filter((_, place) => place % 2 === 1);
       return heights.length > 0 ? Math.max(...heights) - Math.min(...heights) : 0;
     };
-    const watch = (time: number) => {
-      samples.push({ time, loudness: loudness(), opening: opening() });
+    const frameEnd = new MessageChannel();
+    const watch = () => {
+      const time = performance.now();
+      const heard = loudness();
+      frameEnd.port1.onmessage = () => samples.push({ time, loudness: heard, opening: opening() });
+      frameEnd.port2.postMessage(null);
       requestAnimationFrame(watch);
     };
     requestAnimationFrame(watch);

@@ -53,7 +53,8 @@ test('a sound becomes a track that is heard, seen, edited, undone, kept and expo
     );
     await page.getByRole('button', { name: 'Pause' }).click();
     const found = bestLag(await page.evaluate(() => window.lipsAndSound ?? []));
-    console.log(found);
+    console.log(found, await page.evaluate(() => (window.lipsAndSound ?? []).length));
+    
     expect(found.correlation).toBeGreaterThan(0.7);
     expect(Math.abs(found.lagSeconds)).toBeLessThanOrEqual(0.06);
   });

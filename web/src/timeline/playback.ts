@@ -4,8 +4,9 @@ import { soundClock } from '../speech/soundClock';
 import { leaveRest } from '../store/looking';
 import { looping, playing, timeSeconds, track } from '../store/state';
 import { type Clock, wallClock } from './clock';
+import { inFrame } from './frame';
 
-let request = 0;
+let cancelTick = () => {};
 let clock: Clock | null = null;
 /** What `clock` plays. */
 let heard = sound.peek();
@@ -16,12 +17,12 @@ export function play(): void {
   leaveRest();
   playing.value = true;
   startClock(timeSeconds.value < current.duration ? timeSeconds.value : 0);
-  request = requestAnimationFrame(tick);
+  cancelTick = inFrame(tick);
 }
 
 export function pause(): void {
   playing.value = false;
-  cancelAnimationFrame(request);
+  cancelTick();
   stopClock();
 }
 
@@ -72,5 +73,5 @@ function tick(): void {
     timeSeconds.value = current.duration;
     return pause();
   }
-  request = requestAnimationFrame(tick);
+  cancelTick = inFrame(tick);
 }
