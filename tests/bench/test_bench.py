@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from vectortalker.bench.__main__ import main
+from vectortalker.bench.ledger import keep, kept
 from vectortalker.bench.measure import Run, run_recipe, run_vtracer
 from vectortalker.bench.portraits import Sitter, portrait_files
 from vectortalker.bench.sheets import CAPTION, CELL, contact_sheet
@@ -57,3 +59,19 @@ def test_quick_portraits_are_spread_over_the_folder(tmp_path) -> None:
     names = [path.stem for path in portrait_files(tmp_path, quick=True, names=None)]
     assert names == ["00", "03", "06", "09", "12", "15"]
     assert [path.stem for path in portrait_files(tmp_path, quick=False, names="07,1")][:2] == ["01", "07"]
+
+
+def test_kept_runs_come_back_as_they_were(runs: list[Run], tmp_path) -> None:
+    assert kept(tmp_path, "disc.png", "best") is None
+    for run in runs:
+        keep(tmp_path, run)
+        again = kept(tmp_path, "disc.png", run.row.way)
+        assert again is not None
+        assert again.row == run.row and again.svg == run.svg
+        assert (again.picture == run.picture).all() and (again.target == run.target).all()
+
+
+def test_unknown_ways_are_refused(tmp_path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "a.png").touch()
+    assert main(["--portraits", str(tmp_path), "--ways", "best;worst", "--out", str(tmp_path / "out")]) == 2
+    assert "worst" in capsys.readouterr().err

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import json
 import platform
 import sys
-from collections.abc import Iterable
-from dataclasses import asdict
 from pathlib import Path
 
+from vectortalker.bench.ledger import keep, kept
 from vectortalker.bench.lpips import Lpips, load_lpips
 from vectortalker.bench.measure import VTRACER_SETTINGS, Run, run_recipe, run_vtracer
 from vectortalker.bench.portraits import Sitter, portrait_files, portrait_folder, sitters
@@ -21,9 +19,9 @@ TABLES: dict[str, tuple[str, dict[str, VectorizeOptions]]] = {
     "recipes": (
         "Recipes at 500 paths × 8 cubics, 512 px",
         {
-            "diffvg": VectorizeOptions(recipe="diffvg"),
-            "paper": VectorizeOptions(recipe="paper"),
             "best": VectorizeOptions(recipe="best"),
+            "paper": VectorizeOptions(recipe="paper", layers=False),
+            "diffvg": VectorizeOptions(recipe="diffvg", layers=False),
             "best, 350 paths": VectorizeOptions(recipe="best", paths=350),
             "best, draft": VectorizeOptions(recipe="best", preset="draft"),
         },
@@ -72,18 +70,21 @@ def main(arguments: list[str] | None = None) -> int:
     if not files:
         print(f"No portraits in {options.portraits or portrait_folder()}.", file=sys.stderr)
         return 2
+    if unknown := _unknown(options.tables, options.ways):
+        print(f"No such table or way: {'; '.join(unknown)}.", file=sys.stderr)
+        return 2
     people, lpips = list(sitters(files)), load_lpips()
     options.out.mkdir(parents=True, exist_ok=True)
     report = [_conditions(people, lpips)]
     print(report[0])
     for name in options.tables.split(","):
         title, ways = TABLES[name]
-        lines = [list(_runs(sitter, ways, lpips, tracers=name == "recipes")) for sitter in people]
+        chosen = [way for way in _ways(name) if options.ways is None or way in options.ways.split(";")]
+        lines = [[_run(sitter, way, ways, lpips, options.out / name) for way in chosen] for sitter in people]
         rows = [run.row for line in lines for run in line]
         report.append(means(title, rows))
         print(report[-1], flush=True)
         report.append(side_by_side(f"{title}: PSNR of every portrait", rows))
-        (options.out / f"{name}.json").write_text(json.dumps([_plain(run) for line in lines for run in line], indent=1))
         contact_sheet(lines).save(options.out / f"{name}.png")
     (options.out / "report.md").write_text("\n".join(report), encoding="utf-8")
     return 0
@@ -92,21 +93,35 @@ def main(arguments: list[str] | None = None) -> int:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="vectortalker bench", description="Print the benchmark tables.")
     parser.add_argument("--tables", default="recipes", help=f"comma-separated: {', '.join(TABLES)} (default: recipes)")
+    parser.add_argument("--ways", metavar="NAMES", help="semicolon-separated lines of the tables, all if absent")
     parser.add_argument("--quick", action="store_true", help="six portraits instead of all")
     parser.add_argument("--only", metavar="NAMES", help="portraits whose file names contain one of these")
     parser.add_argument("--portraits", type=Path, metavar="DIR", help="another folder of pictures")
-    parser.add_argument("--out", type=Path, default=Path("bench-out"), metavar="DIR", help="where the results go")
+    parser.add_argument(
+        "--out", type=Path, default=Path("bench-out"), metavar="DIR", help="where the results go; those there are kept"
+    )
     return parser
 
 
-def _runs(sitter: Sitter, ways: dict[str, VectorizeOptions], lpips: Lpips | None, tracers: bool) -> Iterable[Run]:
-    for way, options in ways.items():
-        yield _told(run_recipe(way, sitter, options, lpips))
-    for way in VTRACER_SETTINGS if tracers else ():
-        yield _told(run_vtracer(way, sitter, 512, lpips))
+def _ways(table: str) -> list[str]:
+    """Lines of a table; tracers stand beside the recipes."""
+    return [*TABLES[table][1], *(VTRACER_SETTINGS if table == "recipes" else ())]
 
 
-def _told(run: Run) -> Run:
+def _unknown(tables: str, ways: str | None) -> list[str]:
+    names = tables.split(",")
+    known = {way for name in names if name in TABLES for way in _ways(name)}
+    return [name for name in names if name not in TABLES] + [
+        way for way in (ways or "").split(";") if way not in known | {""}
+    ]
+
+
+def _run(sitter: Sitter, way: str, ways: dict[str, VectorizeOptions], lpips: Lpips | None, folder: Path) -> Run:
+    """Measure, unless the folder has it from an earlier call."""
+    run = kept(folder, sitter.portrait.name, way)
+    if run is None:
+        run = run_recipe(way, sitter, ways[way], lpips) if way in ways else run_vtracer(way, sitter, 512, lpips)
+        keep(folder, run)
     row = run.row
     print(
         f"{row.portrait}  {row.way}  {row.metrics.psnr:.2f} dB  {row.metrics.seconds:.1f} s",
@@ -120,10 +135,6 @@ def _conditions(people: list[Sitter], lpips: Lpips | None) -> str:
     names = ", ".join(sitter.portrait.name for sitter in people)
     distance = "LPIPS v0.1, AlexNet" if lpips else "LPIPS not measured (its weights are absent)"
     return f"{len(people)} portraits ({names}); {distance}; Python {platform.python_version()}, {platform.machine()}.\n"
-
-
-def _plain(run: Run) -> dict:
-    return {**asdict(run.row), "metrics": run.row.metrics.model_dump()}
 
 
 if __name__ == "__main__":

@@ -23,42 +23,45 @@ ITERATIONS_FOR_ALL_CORRECTIONS = 300  # a correction costs as much as a dozen it
 class Ingredients:
     """What sets the recipes apart.
 
-    `seeds`: where new paths start. `contours`: they take the residual's outline instead of a circle. `reallocate`:
-    share of the last level until which useless paths are moved. `decay_from`: share of all iterations after which rates
-    fall to zero along a cosine. `polish`: share of the last level, at its end, with 4 sub-rows a pixel.
-    `compensate`: shares of the last level at which the targets are corrected by what a renderer paints differently.
-    `coarse`: early levels run at lower resolution.
+    `smooth`: coarse levels fit L0-smoothed targets. `coarse`: early levels run at lower resolution. `seeds`: where new
+    paths start. `contours`: they take the residual's outline instead of a circle. `reallocate`: share of the last level
+    until which useless paths are moved. `decay_from`: share of all iterations after which rates fall to zero along a
+    cosine. `polish`: share of the last level, at its end, with 4 sub-rows a pixel. `compensate`: shares of the last
+    level at which the targets are corrected by what a renderer paints differently.
     """
 
+    smooth: bool
+    coarse: bool
     seeds: Literal["peaks", "samples", "uniform"]
     contours: bool
     reallocate: float
     decay_from: float
     polish: float
     compensate: tuple[float, ...]
-    coarse: bool
     rates: Rates
 
 
 PAPER = Ingredients(
+    smooth=True,
+    coarse=False,
     seeds="samples",
     contours=False,
     reallocate=0.0,
     decay_from=1.0,
     polish=0.0,
     compensate=(),
-    coarse=False,
     rates=Rates(points=1.0, colour=0.01, opacity=0.01, axis=1.0, beta2=0.999),  # paper, section 4.1
 )
 RECIPES: dict[Recipe, Ingredients] = {
     "best": Ingredients(
+        smooth=False,
+        coarse=True,
         seeds="peaks",
         contours=True,
         reallocate=0.7,
         decay_from=0.75,
         polish=0.1,
         compensate=(0.7, 0.85, 0.93),
-        coarse=True,
         rates=Rates(points=0.7, colour=0.03, opacity=0.02, axis=1.0, beta2=0.99),
     ),
     "paper": PAPER,

@@ -22,7 +22,7 @@ from vectortalker.vectorize.level import BACK, FORE, Level, single_sheet_level
 from vectortalker.vectorize.options import Settings
 from vectortalker.vectorize.population import Population, empty_population
 from vectortalker.vectorize.resize import resize
-from vectortalker.vectorize.schedule import LevelPlan
+from vectortalker.vectorize.schedule import RECIPES, LevelPlan
 
 FRINGE = 0.01  # of the longer side: width of soft hair and blended edges outside a mask
 
@@ -61,13 +61,15 @@ def prepare(
     settings: Settings,
     plans: list[LevelPlan],
 ) -> Targets:
-    """Segment and smooth; `picture` u8 [H, W, 3] is the portrait at the working size, the canvas has its mean colour.
+    """Segment, and smooth for a recipe that wants it; the canvas has the mean colour of `picture`.
 
-    Without layers everything is fore if there is a person, so that it can be posed, and back if there is none.
+    `picture` u8 [H, W, 3] is the portrait at the working size. Without layers everything is fore if there is a person,
+    so that it can be posed, and back if there is none.
     """
     image = picture.astype(np.float32) / np.float32(255)
     canvas = np.rint(picture.reshape(-1, 3).mean(axis=0)).astype(np.float32) / np.float32(255)
-    stack = smoothed_stack(image, plans)
+    smoothed = RECIPES[settings.recipe].smooth
+    stack = tuple(level.image for level in smooth.stack(image, len(plans))) if smoothed else (image,) * len(plans)
     points = None if landmarks is None else np.array(landmarks.points, np.float64)
     placed = None if points is None else to_frame(points, frame)
     masks = segment(picture, placed, _scaled_alpha(portrait, frame))
@@ -81,14 +83,6 @@ def prepare(
         return Targets(stack, canvas, outlines, layers, FORE, frame, nothing)
     hidden = first_paths(portrait, points, frame, plans[0].frame, settings.paths, settings.segments)
     return Targets(stack, canvas, outlines, layers, FORE, frame, hidden)
-
-
-def smoothed_stack(image: NDArray[np.float32], plans: list[LevelPlan]) -> tuple[NDArray[np.float32], ...]:
-    """L0-smoothed targets of the coarse levels, at the largest resolution that they need, and `image` itself."""
-    if len(plans) == 1:
-        return (image,)
-    coarse = resize(image, max(level_plan.frame for level_plan in plans[:-1]))
-    return (*(level.image for level in smooth.stack(coarse, len(plans))[:-1]), image)
 
 
 def _scaled_alpha(portrait: Portrait, frame: Frame) -> NDArray[np.uint8] | None:
