@@ -2,7 +2,7 @@
 import { GROUPS, indicesOf, landmarkName, N_LANDMARKS } from '../face/ibug';
 import { outerEyeDistance } from '../face/regions';
 import { distance, type Xy } from '../face/vector';
-import { svgElement } from './svg';
+import { svgElement, writeAttribute } from './svg';
 import { type Size, toScreen, type View } from './view';
 
 export type OverlayFrame = {
@@ -17,6 +17,8 @@ export type OverlayFrame = {
   readonly triangles: ArrayLike<number>;
   /** Indices of the triangles that stop the pose. */
   readonly limiting: ArrayLike<number>;
+  /** Whether an edit is under way: then dots stand in for the handles. */
+  readonly moving: boolean;
   readonly shown: { readonly points: boolean; readonly mesh: boolean; readonly ghost: boolean };
 };
 
@@ -30,7 +32,10 @@ export function createOverlay(): Overlay {
   const mesh = svgElement('path', { class: 'mesh' });
   const limit = svgElement('path', { class: 'limit' });
   const ghost = svgElement('path', { class: 'ghost' });
+  const halo = svgElement('path', { class: 'halo' });
   const outline = svgElement('path', { class: 'outline' });
+  const rims = svgElement('path', { class: 'rims' });
+  const dots = svgElement('path', { class: 'dots' });
   const irises = svgElement('path', { class: 'irises' });
   const handles = Array.from({ length: N_LANDMARKS }, (_, index) => handle(index));
   const groups = GROUPS.map((group) => {
@@ -39,26 +44,34 @@ export function createOverlay(): Overlay {
     return holder;
   });
   const root = svgElement('g', {});
-  root.append(mesh, limit, ghost, outline, irises, ...groups);
+  root.append(mesh, limit, ghost, halo, outline, irises, rims, dots, ...groups);
+  const lit = litHandle(handles);
 
   function draw(frame: OverlayFrame): void {
     const screen = (points: readonly Xy[]) => points.map((point) => toScreen(frame.view, frame.stage, point));
     const points = screen(frame.points);
     const { shown } = frame;
     showParts(root, shown);
-    if (shown.mesh) mesh.setAttribute('d', trianglesPath(frame, undefined));
-    limit.setAttribute('d', frame.limiting.length > 0 ? trianglesPath(frame, frame.limiting) : '');
-    if (shown.ghost) ghost.setAttribute('d', groupsPath(screen(frame.rest)));
+    if (shown.mesh) writeAttribute(mesh, 'd', trianglesPath(frame, undefined));
+    writeAttribute(limit, 'd', frame.limiting.length > 0 ? trianglesPath(frame, frame.limiting) : '');
+    if (shown.ghost) writeAttribute(ghost, 'd', groupsPath(screen(frame.rest)));
     if (!shown.points) return;
-    outline.setAttribute('d', groupsPath(points));
+    const shape = groupsPath(points);
+    for (const line of [halo, outline]) writeAttribute(line, 'd', shape);
     sizeHandles(root, handleRadius(points));
-    irises.setAttribute('d', screen(frame.irises).map(crossPath).join(''));
-    points.forEach(([x, y], index) => {
-      write(handles[index], 'transform', `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
-    });
+    writeAttribute(irises, 'd', screen(frame.irises).map(crossPath).join(''));
+    root.classList.toggle('moving', frame.moving);
+    const place = (index: number) => {
+      writeAttribute(handles[index], 'transform', `translate(${decimals(points[index])})`);
+    };
+    if (frame.moving) {
+      const places = points.map(dotPath).join('');
+      for (const dot of [rims, dots]) writeAttribute(dot, 'd', places);
+      lit.indices().forEach(place);
+    } else for (const index of points.keys()) place(index);
   }
 
-  return { root, draw, highlight: highlighter(handles) };
+  return { root, draw, highlight: lit.set };
 }
 
 /** Says a handle's displacement to screen readers; called when a handle is focused or nudged, not every frame. */
@@ -83,11 +96,6 @@ function handle(index: number): SVGCircleElement {
   });
 }
 
-/** Sets an attribute only if it differs: most handles rest while one is dragged. */
-function write(element: SVGElement, name: string, value: string): void {
-  if (element.getAttribute(name) !== value) element.setAttribute(name, value);
-}
-
 /** A changed custom property restyles every handle, so it is written only when it differs. */
 function sizeHandles(root: SVGGElement, radius: number): void {
   const size = `${radius.toFixed(1)}px`;
@@ -99,14 +107,22 @@ function handleRadius(screenPoints: readonly Xy[]): number {
   return Math.min(4, Math.max(1.6, 0.028 * outerEyeDistance(screenPoints)));
 }
 
-function highlighter(handles: readonly SVGCircleElement[]): (index: number | null) => void {
+type LitHandle = {
+  readonly set: (index: number | null) => void;
+  /** The handles near the pointer and under the focus. */
+  readonly indices: () => readonly number[];
+};
+
+function litHandle(handles: readonly SVGCircleElement[]): LitHandle {
   let lit: number | null = null;
-  return (index) => {
+  const set = (index: number | null) => {
     if (index === lit) return;
     if (lit !== null) handles[lit].classList.remove('near');
     if (index !== null) handles[index].classList.add('near');
     lit = index;
   };
+  const indices = () => handles.flatMap((handle, index) => (index === lit || handle === document.activeElement ? [index] : []));
+  return { set, indices };
 }
 
 function showParts(root: SVGGElement, shown: OverlayFrame['shown']): void {
@@ -134,5 +150,7 @@ function trianglesPath({ vertices, triangles, view, stage }: OverlayFrame, only:
 }
 
 const ARM = 5; // screen pixels of the cross on an iris
+/** A line without length: its round cap is the dot. */
+const dotPath = (point: Xy) => `M${decimals(point)}h0`;
 const crossPath = ([x, y]: Xy) => `M${x - ARM} ${y}H${x + ARM}M${x} ${y - ARM}V${y + ARM}`;
 const decimals = ([x, y]: Xy) => `${x.toFixed(1)} ${y.toFixed(1)}`;

@@ -60,15 +60,6 @@ export function showLayers(picture: Picture, looks: Readonly<Record<LayerName, L
   }
 }
 
-/** Moves the gradient of a path; the ends lie at `at` in `axes`. */
-export function showGradient({ gradients }: Picture, path: number, axes: Float64Array, at: number): void {
-  const moved = gradients.get(path);
-  if (!moved) return;
-  ['x1', 'y1', 'x2', 'y2'].forEach((name, k) => {
-    moved.setAttribute(name, axes[at + k].toFixed(2));
-  });
-}
-
 function axesOf({ back, fore, local }: Scene): Float64Array {
   return Float64Array.from(
     [...back, ...fore, ...local].flatMap(({ fill }) => (fill.kind === 'linear' ? [...fill.start, ...fill.end] : [0, 0, 0, 0])),

@@ -1,10 +1,14 @@
 /** Keeps the stage's DOM equal to the state: picture, frame, layers, view and overlay, once an animation frame at most. */
 import { effect, untracked } from '@preact/signals';
+import type { Scene } from '../api/schema';
 import type { Rig } from '../rig/rig';
-import { edit, ghostShown, landmarksShown, meshShown, playing, scene, session, tool } from '../store/state';
+import { draft, edit, ghostShown, landmarksShown, meshShown, playing, scene, session, tool } from '../store/state';
+import { beforePaint } from '../timeline/frame';
+import { type FrameWriter, frameWriter } from './frameWriter';
 import { createOverlay, type Overlay } from './overlay';
-import { OPENING_NAMES, type Picture, pictureOf, showGradient, showLayers } from './picture';
+import { OPENING_NAMES, type Picture, pictureOf, showLayers } from './picture';
 import { rig, standing, standingPoints, tendRigs } from './posing';
+import { writeAttribute } from './svg';
 import { viewBoxOf } from './view';
 import { hoveredTarget, stageSize, view } from './viewState';
 
@@ -36,27 +40,30 @@ export function startRendering({ picture: host, slot, overlay: overlayHost }: St
 
 /** A new scene or rig replaces the picture; a new pose changes the paths it moves. */
 function renderPicture(slot: SVGGElement): () => void {
-  let picture: Picture | null = null;
+  let shown: Shown | null = null;
   let posed: Rig | null = null;
   const disposePicture = effect(() => {
-    picture = scene.value ? pictureOf(scene.value) : null;
+    shown = scene.value ? shownOf(scene.value) : null;
     posed = null;
-    slot.replaceChildren(...(picture ? [picture.root] : []));
+    slot.replaceChildren(...(shown ? [shown.picture.root] : []));
     const { layers } = untracked(() => edit.value);
-    if (picture) showLayers(picture, layers);
+    if (shown) showLayers(shown.picture, layers);
   });
   const disposeLayers = effect(() => {
     const { layers } = edit.value;
-    if (picture) showLayers(picture, layers);
+    if (shown) showLayers(shown.picture, layers);
   });
   const disposeFrames = eachFrame(() => {
     scene.value; // a new picture needs a frame even if the rig and the pose stay
     const current = rig.value;
     const now = standing.value;
-    if (!picture || !current || !now) return;
-    const isFirst = posed !== current;
+    const isMoving = draft.value !== null || playing.value;
+    if (!shown || !current || !now) return;
+    const frame = current.frame(now.vertices, shown.picture.axes);
+    if (posed === current) shown.writer.write(frame, isMoving);
+    else shown.writer.writeAll(frame);
     posed = current;
-    showFrame(picture, current, now.vertices, isFirst);
+    showOpenings(shown.picture, current.openings(now.vertices));
   });
   return () => {
     disposeFrames();
@@ -65,21 +72,17 @@ function renderPicture(slot: SVGGElement): () => void {
   };
 }
 
-function showFrame(picture: Picture, current: Rig, vertices: Float64Array, isFirst: boolean): void {
-  const frame = current.frame(vertices, picture.axes);
-  if (isFirst) {
-    picture.paths.forEach((path, index) => {
-      path.setAttribute('d', frame.d(index));
-      showGradient(picture, index, picture.axes, 4 * index);
-    });
-  }
-  frame.changed.forEach((index, k) => {
-    picture.paths[index].setAttribute('d', frame.d(index));
-    showGradient(picture, index, frame.axes, 4 * k);
-  });
-  const openings = current.openings(vertices);
+type Shown = { readonly picture: Picture; readonly writer: FrameWriter };
+
+function shownOf(scene: Scene): Shown {
+  const picture = pictureOf(scene);
+  const fills = [...scene.back, ...scene.fore, ...scene.local].map(({ fill }) => fill);
+  return { picture, writer: frameWriter(picture, fills) };
+}
+
+function showOpenings(picture: Picture, outlines: readonly string[]): void {
   OPENING_NAMES.forEach((name, index) => {
-    picture.openings[name].setAttribute('d', openings[index]);
+    writeAttribute(picture.openings[name], 'd', outlines[index]);
   });
 }
 
@@ -102,27 +105,28 @@ function drawOverlay(overlay: Overlay): void {
     vertices: now?.vertices ?? [],
     triangles: current?.triangles ?? [],
     limiting: isEditing ? (now?.limit.triangles ?? []) : [],
+    moving: draft.value !== null,
     shown,
   });
 }
 
 /** Runs `draw` before the next paint whenever what it read has changed. */
 function eachFrame(draw: () => void): () => void {
-  let request = 0;
+  let cancel: (() => void) | null = null;
   let dispose = () => {};
   const run = () => {
-    request = 0;
+    cancel = null;
     dispose();
     let isFirstRun = true;
     dispose = effect(() => {
       if (isFirstRun) draw();
-      else if (request === 0) request = requestAnimationFrame(run);
+      else cancel ??= beforePaint(run);
       isFirstRun = false;
     });
   };
   run();
   return () => {
-    cancelAnimationFrame(request);
+    cancel?.();
     dispose();
   };
 }

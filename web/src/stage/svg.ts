@@ -7,3 +7,8 @@ export function svgElement<K extends keyof SVGElementTagNameMap>(tag: K, attribu
   for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
   return made;
 }
+
+/** Sets an attribute only if it differs: what a pose leaves alone is neither styled, laid out nor painted again. */
+export function writeAttribute(element: SVGElement, name: string, value: string): void {
+  if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+}
