@@ -1,39 +1,44 @@
 /** Measures whether lips move in step with the sound: both are watched as the page makes them, and correlated. */
 import type { Page } from '@playwright/test';
 
-/** At `time` (milliseconds of the page): the loudness that leaves the page, and the height of the mouth's opening in the picture. */
-export type Sample = { readonly time: number; readonly loudness: number; readonly opening: number };
+/**
+ * A frame of the page. `loudness` is that of the sound which left the page before `time` (seconds), a value every STEP_SECONDS, the
+ * latest first: machines that paint seldom are heard without gaps. `opening` is the height of the mouth's opening in the picture.
+ */
+export type Frame = { readonly time: number; readonly loudness: readonly number[]; readonly opening: number };
 
 declare global {
   interface Window {
-    lipsAndSound?: Sample[];
+    lipsAndSound?: Frame[];
   }
 }
 
-/** From the next page on, every frame adds a sample to `window.lipsAndSound`: the sound at its start, and the picture at its end. */
+const STEP_SECONDS = 0.01;
+const MOST_STEPS = 30;
+
+/** From the next page on, every frame is added to `window.lipsAndSound`: the sound at its start, and the picture at its end. */
 export async function watchLipsAndSound(page: Page): Promise<void> {
-  await page.addInitScript(() => {
-    const samples: Sample[] = [];
-    window.lipsAndSound = samples;
+  await page.addInitScript((stepSeconds) => {
+    const frames: Frame[] = [];
+    window.lipsAndSound = frames;
     const connect = AudioNode.prototype.connect as (this: AudioNode, ...to: unknown[]) => AudioNode;
-    const windows = new Map<BaseAudioContext, AnalyserNode>();
+    let heard: AnalyserNode | null = null;
     AudioNode.prototype.connect = function (this: AudioNode, ...to: unknown[]) {
       if (to[0] instanceof AudioDestinationNode) {
-        const analyser = windows.get(this.context) ?? this.context.createAnalyser();
-        analyser.fftSize = 1024;
-        windows.set(this.context, analyser);
-        connect.call(this, analyser);
+        heard ??= new AnalyserNode(this.context, { fftSize: 32768 });
+        connect.call(this, heard);
       }
       return connect.apply(this, to);
     } as typeof AudioNode.prototype.connect;
-    const values = new Float32Array(1024);
-    const loudness = () => {
-      let power = 0;
-      for (const analyser of windows.values()) {
-        analyser.getFloatTimeDomainData(values);
-        power += values.reduce((sum, value) => sum + value * value, 0) / values.length;
-      }
-      return Math.sqrt(power);
+    const loudness = (): number[] => {
+      if (!heard) return [];
+      const values = new Float32Array(heard.fftSize);
+      heard.getFloatTimeDomainData(values);
+      const step = Math.round(stepSeconds * heard.context.sampleRate);
+      return Array.from({ length: Math.floor(values.length / step) }, (_, k) => {
+        const piece = values.subarray(values.length - (k + 1) * step, values.length - k * step);
+        return Math.sqrt(piece.reduce((sum, value) => sum + value * value, 0) / step);
+      });
     };
     const opening = () => {
       const numbers =
@@ -46,49 +51,45 @@ export async function watchLipsAndSound(page: Page): Promise<void> {
     };
     const frameEnd = new MessageChannel();
     const watch = () => {
-      const time = performance.now();
-      const heard = loudness();
-      frameEnd.port1.onmessage = () => samples.push({ time, loudness: heard, opening: opening() });
+      const start = { time: performance.now() / 1000, loudness: loudness() };
+      frameEnd.port1.onmessage = () => frames.push({ ...start, opening: opening() });
       frameEnd.port2.postMessage(null);
       requestAnimationFrame(watch);
     };
     requestAnimationFrame(watch);
-  });
+  }, STEP_SECONDS);
 }
 
-const STEP_SECONDS = 0.01;
-const MOST_STEPS = 30;
-
 /** The lag at which opening and loudness correlate best; positive when the lips come late. */
-export function bestLag(samples: readonly Sample[]): { readonly lagSeconds: number; readonly correlation: number } {
-  const loudness = resampled(samples, ({ loudness: value }) => value);
-  const opening = resampled(samples, ({ opening: value }) => value);
+export function bestLag(frames: readonly Frame[]): { readonly lagSeconds: number; readonly correlation: number } {
+  const heard = loudnessByStep(frames);
   const lags = Array.from({ length: 2 * MOST_STEPS + 1 }, (_, k) => k - MOST_STEPS);
-  const scored = lags.map((lag) => ({ lagSeconds: lag * STEP_SECONDS, correlation: correlation(loudness, opening, lag) }));
+  const scored = lags.map((lag) => ({
+    lagSeconds: lag * STEP_SECONDS,
+    correlation: correlation(
+      frames.flatMap(({ time, opening }) => {
+        const loudness = heard.get(Math.round(time / STEP_SECONDS) - lag);
+        return loudness === undefined ? [] : [[loudness, opening] as const];
+      }),
+    ),
+  }));
   return scored.reduce((best, next) => (next.correlation > best.correlation ? next : best));
 }
 
-/** Every STEP_SECONDS, linear between samples. */
-function resampled(samples: readonly Sample[], read: (sample: Sample) => number): number[] {
-  const start = samples[0].time;
-  const count = Math.floor((samples[samples.length - 1].time - start) / (1000 * STEP_SECONDS));
-  let at = 0;
-  return Array.from({ length: count }, (_, step) => {
-    const time = start + 1000 * STEP_SECONDS * step;
-    while (samples[at + 1].time < time) at += 1;
-    const [a, b] = [samples[at], samples[at + 1]];
-    return read(a) + ((read(b) - read(a)) * (time - a.time)) / (b.time - a.time);
-  });
+/** Loudness by the number of the step since the page began; what several frames heard counts once. */
+function loudnessByStep(frames: readonly Frame[]): ReadonlyMap<number, number> {
+  return new Map(
+    frames.flatMap(({ time, loudness }) => loudness.map((value, k) => [Math.round(time / STEP_SECONDS) - k, value] as const).reverse()),
+  );
 }
 
-/** Pearson's, of a[k] and b[k + lag]. */
-function correlation(a: readonly number[], b: readonly number[], lag: number): number {
-  const pairs = a.flatMap((value, k) => (b[k + lag] === undefined ? [] : [[value, b[k + lag]] as const]));
+/** Pearson's. */
+function correlation(pairs: readonly (readonly [number, number])[]): number {
   const mean = (side: 0 | 1) => pairs.reduce((sum, pair) => sum + pair[side], 0) / pairs.length;
   const [meanA, meanB] = [mean(0), mean(1)];
-  const sums = pairs.reduce(
-    ([ab, aa, bb], [x, y]) => [ab + (x - meanA) * (y - meanB), aa + (x - meanA) ** 2, bb + (y - meanB) ** 2],
+  const [ab, aa, bb] = pairs.reduce(
+    (sums, [a, b]) => [sums[0] + (a - meanA) * (b - meanB), sums[1] + (a - meanA) ** 2, sums[2] + (b - meanB) ** 2],
     [0, 0, 0],
   );
-  return sums[0] / Math.sqrt(sums[1] * sums[2]);
+  return ab / Math.sqrt(aa * bb);
 }

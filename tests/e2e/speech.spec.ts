@@ -38,23 +38,18 @@ test('a sound becomes a track that is heard, seen, edited, undone, kept and expo
     await expect(page.getByRole('img', { name: 'Waveform' })).toBeVisible();
     await expect(page.getByText('Lips from the sound alone.')).toBeVisible({ timeout: 60_000 });
     expect((await labels(page)).filter((label) => !label?.startsWith('sil')).length).toBeGreaterThanOrEqual(4);
-    await page.screenshot({ path: '/tmp/speechpanel/track.png' });
   });
 
   await test.step('lips open in step with what is heard', async () => {
     await page.getByRole('button', { name: 'Back to the start' }).click();
-    await page.evaluate(() => window.lipsAndSound?.splice(0));
     await page.getByRole('button', { name: 'Play', exact: true }).click();
+    await page.evaluate(() => window.lipsAndSound?.splice(0));
     await page.waitForFunction(
-      (seconds) =>
-        (window.lipsAndSound?.length ?? 0) > 20 * seconds &&
-        (window.lipsAndSound?.at(-1)?.time ?? 0) > 1000 * (seconds + (window.lipsAndSound?.[0].time ?? 0) / 1000),
-      SOUND_SECONDS,
+      (seconds) => (window.lipsAndSound?.at(-1)?.time ?? 0) - (window.lipsAndSound?.[0].time ?? 0) > seconds,
+      2 * SOUND_SECONDS, // twice, so that slow machines paint enough
     );
     await page.getByRole('button', { name: 'Pause' }).click();
     const found = bestLag(await page.evaluate(() => window.lipsAndSound ?? []));
-    console.log(found, await page.evaluate(() => (window.lipsAndSound ?? []).length));
-    
     expect(found.correlation).toBeGreaterThan(0.7);
     expect(Math.abs(found.lagSeconds)).toBeLessThanOrEqual(0.06);
   });
