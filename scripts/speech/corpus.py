@@ -103,13 +103,13 @@ def _held_voices(source: random.Random) -> Iterator[Utterance]:
     yield from espeak(_wishes(("en", "de", "es", "ru"), HELD_VARIANTS, 2 * N_HELD, source))
     for voice in HELD_FESTIVAL:
         language = FESTIVAL_VOICES[voice][0]
-        yield from festival(voice, [texts.line(language, source) for _ in range(2 * N_HELD)])
+        yield from festival(voice, [texts.held_sentence(language, source) for _ in range(2 * N_HELD)])
 
 
 def _flite(source: random.Random) -> Iterator[Utterance]:
     for voice in FLITE_VOICES:
         for _ in range(3 * N_HELD):
-            yield flite(voice, texts.line("en", source))
+            yield flite(voice, texts.held_sentence("en", source))
 
 
 def _wishes(
@@ -146,6 +146,7 @@ def _spoilt_example(utterance: Utterance, generator: np.random.Generator) -> dic
     padded = np.concatenate([np.zeros(lead), samples, np.zeros(tail)])
     shift = lead / utterance.rate
     phones = [(start / speed + shift, end / speed + shift, name) for start, end, name in utterance.phones]
+    phones = [(0.0, shift, ""), *phones, (phones[-1][1] if phones else shift, len(padded) / utterance.rate, "")]
     moved = replace(utterance, samples=padded, phones=phones)
     return _example(moved, spoilt(padded, utterance.rate, generator), generator)
 

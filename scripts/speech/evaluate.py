@@ -26,7 +26,8 @@ from vectortalker.speech.network import Heard, hear
 from vectortalker.speech.transcript import words_of
 from vectortalker.speech.visemes import SILENCE, VISEMES, Block, blocks_of_phones, classes_at
 
-PARTS = ("voices", "languages", "festival", "noisy")
+PARTS = ("synthesiser", "voices", "languages", "noisy")
+LANGUAGES = {"en": "en-us"}  # flite's and Festival's English voices are American
 CLOSED = 0.02  # inner gap in mouth widths
 TOLERANCE = 0.04  # seconds around a closure
 MAX_LAG = 10  # frames searched either way
@@ -155,9 +156,10 @@ def by_network(clip: Clip) -> list[Block]:
 
 def by_transcript(clip: Clip) -> list[Block]:
     heard = heard_in(clip)
-    language = {"cmn": "cmn-latn-pinyin"}.get(clip.language, clip.language)
     try:
-        return weighted(align(heard.log_posteriors, words_of(clip.text, language)), heard)
+        return weighted(
+            align(heard.log_posteriors, words_of(clip.text, LANGUAGES.get(clip.language, clip.language))), heard
+        )
     except VectorTalkerError as error:
         print(f"  {clip.voice}: {error.message}")
         return []

@@ -26,7 +26,9 @@ class Layer(nn.Module):
         self.padding = ((KERNEL - 1 - future) * dilation, future * dilation)
         self.convolution = nn.Conv1d(WIDTH, WIDTH, KERNEL, dilation=dilation, bias=False)
         self.norm = nn.BatchNorm1d(WIDTH)
-        self.dropout = nn.Dropout1d(0.1)  # of whole channels: dropping single values takes a fifth of the time of a step
+        self.dropout = nn.Dropout1d(
+            0.1
+        )  # of whole channels: dropping single values takes a fifth of the time of a step
 
     def forward(self, inputs: Tensor) -> Tensor:
         hidden = self.convolution(functional.pad(inputs, self.padding))

@@ -29,6 +29,11 @@ def line(language: str, random_source: random.Random) -> str:
     return " ".join(words).capitalize() + "."
 
 
+def held_sentence(language: str, random_source: random.Random) -> str:
+    """A sentence that no voice is trained on, of words that all voices read alike."""
+    return random_source.choice(_sentences()[f"{language} held"])
+
+
 @cache
 def _sentences() -> dict[str, list[str]]:
     return json.loads(SENTENCES.read_text(encoding="utf-8"))

@@ -90,6 +90,13 @@ def test_recording_without_sound_is_refused(client: httpx.Client, data: bytes) -
     refused(upload(client, data), 422, "bad_audio")
 
 
+def test_recording_may_be_larger_than_other_bodies(client: httpx.Client, services: Services) -> None:
+    data = tone(seconds=70)
+    assert len(data) > services.settings.max_body_bytes
+    assert upload(client, data).json()["duration"] == 70
+    refused(client.post("/api/portraits", files={"file": ("a.png", data)}), 413, "bad_request")
+
+
 def test_recording_deletion_leaves_nothing(client: httpx.Client, services: Services) -> None:
     recording_id = upload(client, tone()).json()["id"]
     job_id = client.post("/api/speech", json={"recording_id": recording_id}).json()["id"]

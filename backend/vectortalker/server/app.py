@@ -34,7 +34,8 @@ def create_app(services: Services) -> FastAPI:
     if services.settings.page.is_dir():
         app.mount("/", StaticFiles(directory=services.settings.page, html=True))
     add_fault_handlers(app)
-    app.add_middleware(BodyLimit, max_bytes=services.settings.max_body_bytes)
+    sounds = {recordings.router.prefix: services.settings.max_sound_bytes}
+    app.add_middleware(BodyLimit, max_bytes=services.settings.max_body_bytes, max_bytes_of=sounds)
     app.add_middleware(Gate, tokens=services.settings.tokens)
     app.add_middleware(KnownHosts, hosts=services.settings.hosts)
     app.add_middleware(Observed, figures=app.state.figures)

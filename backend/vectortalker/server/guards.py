@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
@@ -67,30 +69,29 @@ class KnownHosts:
 
 
 class BodyLimit:
-    """Refuses a body as soon as its announced or its real length passes the limit."""
+    """Refuses a body as soon as its announced or its real length passes the limit, for some paths one of their own."""
 
-    def __init__(self, app: ASGIApp, max_bytes: int) -> None:
+    def __init__(self, app: ASGIApp, max_bytes: int, max_bytes_of: Mapping[str, int]) -> None:
         self._app = app
         self._max_bytes = max_bytes
+        self._max_bytes_of = max_bytes_of
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         if scope["type"] != "http":
             return await self._app(scope, receive, send)
+        limit = self._max_bytes_of.get(scope["path"], self._max_bytes)
+        refusal = f"The request is too large; the limit is {limit / 1e6:.0f} MB: send less."
         announced = Headers(scope=scope).get("content-length", "0")
-        if announced.isdecimal() and int(announced) > self._max_bytes:
-            return await answer(VectorTalkerError("bad_request", self._refusal), 413)(scope, receive, send)
+        if announced.isdecimal() and int(announced) > limit:
+            return await answer(VectorTalkerError("bad_request", refusal), 413)(scope, receive, send)
         received = 0
 
         async def receive_limited() -> Message:
             nonlocal received
             message = await receive()
             received += len(message.get("body", b""))
-            if received > self._max_bytes:
-                raise HTTPException(413, self._refusal)  # raised within the route, translated with the other faults
+            if received > limit:
+                raise HTTPException(413, refusal)  # raised within the route, translated with the other faults
             return message
 
         await self._app(scope, receive_limited, send)
-
-    @property
-    def _refusal(self) -> str:
-        return f"The request is too large; the limit is {self._max_bytes / 1e6:.0f} MB: send less."
