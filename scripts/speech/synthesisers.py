@@ -85,12 +85,12 @@ def espeak(wishes: Iterator[EspeakWish]) -> Iterator[Utterance]:
             (start, end, _LANGUAGE_SWITCH.sub("", name)) for (start, name), end in zip(events, ends, strict=False)
         ]
         heard = samples / np.float32(32768)
-        yield Utterance(f"espeak {voice}", wish.language, wish.text, rate, heard, _with_closures(phones, heard, rate))
+        yield Utterance(f"espeak {voice}", wish.language, wish.text, rate, heard, with_closures(phones, heard, rate))
     process.stdin.close()
     process.wait()
 
 
-def _with_closures(phones: Phones, samples: np.ndarray, rate: int) -> Phones:
+def with_closures(phones: Phones, samples: np.ndarray, rate: int) -> Phones:
     """espeak-ng tells of a voiceless stop at its release: the silent closure before it is part of the stop, too.
 
     Other synthesisers, and phoneticians, count it so. After a pause nothing shows where the closure begins.

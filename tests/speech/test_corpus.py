@@ -1,0 +1,43 @@
+"""The training corpus' truth: what the scripts correct in a synthesiser's own account of its phones."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+SCRIPTS = Path(__file__).parents[2] / "scripts" / "speech"
+RATE = 1000
+
+
+@pytest.fixture
+def synthesisers(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.syspath_prepend(str(SCRIPTS))
+    yield __import__("synthesisers")
+    sys.modules.pop("synthesisers")
+
+
+def voiced(gap: tuple[int, int]) -> np.ndarray:
+    """A second of ±0.5, silent within `gap` (milliseconds)."""
+    samples = np.where(np.arange(RATE) % 2, 0.5, -0.5)
+    samples[slice(*gap)] = 0.0
+    return samples
+
+
+def test_silent_closure_belongs_to_the_stop(synthesisers) -> None:
+    phones = [(0.0, 0.5, "a"), (0.5, 0.6, "p"), (0.6, 1.0, "a")]
+    corrected = synthesisers.with_closures(phones, voiced((440, 500)), RATE)
+    assert [start for start, _, _ in corrected] == pytest.approx([0.0, 0.44, 0.6], abs=0.002)
+    assert [end for _, end, _ in corrected] == pytest.approx([0.44, 0.6, 1.0], abs=0.002)
+
+
+def test_pause_is_not_a_closure(synthesisers) -> None:
+    phones = [(0.0, 0.4, "a"), (0.4, 0.5, ""), (0.5, 1.0, "p")]
+    assert synthesisers.with_closures(phones, voiced((400, 500)), RATE) == phones
+
+
+def test_voiced_sounds_stay_where_they_are(synthesisers) -> None:
+    phones = [(0.0, 0.5, "a"), (0.5, 1.0, "m")]
+    assert synthesisers.with_closures(phones, voiced((0, 0)), RATE) == phones
