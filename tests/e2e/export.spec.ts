@@ -36,6 +36,34 @@ test('animated SVG moves in an img', async ({ page }) => {
   expect(moved.count).toBeGreaterThan(500);
 });
 
+test('animated SVG leaves hidden layers out and keeps opacity', async ({ page }) => {
+  await showLayers(page);
+  const svg = (await readFile(await (await exported(page, 'Animated SVG')).path())).toString();
+  const layers = await page.evaluate((text) => {
+    const root = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;
+    return ['back', 'fore', 'local'].map((id) => {
+      const layer = root.querySelector(`#${id}`);
+      return { paths: layer?.querySelectorAll('path:not(clipPath *)').length, opacity: layer?.getAttribute('opacity') };
+    });
+  }, svg);
+  expect(layers).toEqual([
+    { paths: 1, opacity: '0.5' },
+    { paths: 0, opacity: null },
+    { paths: 5, opacity: null },
+  ]);
+});
+
+test('a video leaves hidden layers out and keeps opacity', async ({ page }) => {
+  await showLayers(page);
+  const video = await readFile(await (await exported(page, 'WebM video')).path());
+  const [cheek, sky] = await coloursIn(page, video, [
+    [100, 250],
+    [60, 40],
+  ]);
+  expectNear(cheek, [0x30, 0x40, 0x50]); // the canvas: the skin is hidden
+  expectNear(sky, [0x40, 0x60, 0x80]); // half of #5080b0 over the canvas
+});
+
 for (const { label, codec } of [
   { label: 'MP4 video', codec: 'avc' },
   { label: 'WebM video', codec: 'vp9' },
@@ -68,6 +96,45 @@ test('a forecast comes first, and Cancel goes back without a file', async ({ pag
   await expect(page.getByRole('button', { name: /^MP4 video/ })).toBeVisible();
   expect(downloads).toBe(0);
 });
+
+/** Hides the fore and lets half of the canvas through the back. */
+async function showLayers(page: Page): Promise<void> {
+  await page.keyboard.press('Escape');
+  await page.getByRole('tab', { name: 'Layers' }).click();
+  await page.getByRole('button', { name: 'Show fore' }).click();
+  const opacity = page.getByRole('slider', { name: 'Opacity of back' });
+  await opacity.fill('0.5');
+  await opacity.dispatchEvent('change');
+  await page.getByText('Export', { exact: true }).click();
+}
+
+/** Colours of a video of the portrait at points of it. */
+function coloursIn(page: Page, video: Buffer, points: readonly (readonly [number, number])[]): Promise<number[][]> {
+  return page.evaluate(
+    async ([base64, at]) => {
+      const element = document.createElement('video');
+      const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+      element.src = URL.createObjectURL(new Blob([bytes], { type: 'video/webm' }));
+      element.currentTime = 0.2; // a seek ends with a frame that can be drawn
+      await new Promise((resolve, reject) => {
+        element.onseeked = resolve;
+        element.onerror = reject;
+      });
+      const canvas = new OffscreenCanvas(element.videoWidth, element.videoHeight);
+      const context = canvas.getContext('2d');
+      if (!context) throw new Error('no 2D context');
+      context.drawImage(element, 0, 0);
+      const scale = element.videoWidth / 240;
+      return at.map(([x, y]) => [...context.getImageData(x * scale, y * scale, 1, 1).data].slice(0, 3));
+    },
+    [video.toString('base64'), points] as const,
+  );
+}
+
+function expectNear(colour: readonly number[], expected: readonly number[]): void {
+  const codecLoss = 12; // levels of 255
+  for (const [channel, level] of colour.entries()) expect(Math.abs(level - expected[channel])).toBeLessThan(codecLoss);
+}
 
 async function exported(page: Page, label: string): Promise<Download> {
   await page.getByRole('button', { name: new RegExp(`^${label}`) }).click();

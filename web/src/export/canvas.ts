@@ -1,5 +1,7 @@
 /** Paints frames of a drawing on a 2D canvas, from flat arrays, without any path strings. */
+import { LAYER_NAMES } from '../store/edit';
 import { cssColour, type Drawing, type DrawingFrame } from './drawing';
+import type { LayerLooks } from './layerLooks';
 
 type Context = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
 
@@ -12,14 +14,42 @@ export function evenSize({ width, height }: PixelSize, longerSide: number): Pixe
   return { width: even(width), height: even(height) };
 }
 
-/** Fills the whole canvas with one frame. */
-export function paintFrame(context: Context, drawing: Drawing, frame: DrawingFrame): void {
-  const { width, height } = context.canvas;
-  context.setTransform(width / drawing.width, 0, 0, height / drawing.height, 0, 0);
+/** Fills the whole canvas with one frame. Layers that are seen through are painted on a sheet of their own first. */
+export function paintFrame(context: Context, drawing: Drawing, looks: LayerLooks, frame: DrawingFrame): void {
+  fitTo(context, drawing);
   context.fillStyle = drawing.canvas;
   context.fillRect(0, 0, drawing.width, drawing.height);
+  for (const name of LAYER_NAMES) {
+    const { opacity } = looks[name];
+    if (opacity === 1) paintPaths(context, drawing, frame, drawing.ranges[name]);
+    else paintThrough(context, opacity, (sheet) => paintPaths(fitTo(sheet, drawing), drawing, frame, drawing.ranges[name]));
+  }
+}
+
+/** Lets portrait pixels fill the canvas. */
+function fitTo<C extends Context>(context: C, drawing: Drawing): C {
+  const { width, height } = context.canvas;
+  context.setTransform(width / drawing.width, 0, 0, height / drawing.height, 0, 0);
+  return context;
+}
+
+function paintThrough(context: Context, opacity: number, paint: (sheet: Context) => void): void {
+  const { width, height } = context.canvas;
+  const sheet = new OffscreenCanvas(width, height);
+  const sheetContext = sheet.getContext('2d');
+  if (!sheetContext) throw new Error('This browser gives no 2D canvas.');
+  paint(sheetContext);
+  context.save();
+  context.resetTransform();
+  context.globalAlpha = opacity;
+  context.drawImage(sheet, 0, 0);
+  context.restore();
+}
+
+/** Neighbouring paths of one opening share its clip. */
+function paintPaths(context: Context, drawing: Drawing, frame: DrawingFrame, [from, to]: readonly [number, number]): void {
   let clip: number | null = null;
-  drawing.fills.forEach((_, path) => {
+  for (let path = from; path < to; path += 1) {
     const opening = drawing.openings[path];
     if (opening !== clip) {
       if (clip !== null) context.restore();
@@ -27,7 +57,7 @@ export function paintFrame(context: Context, drawing: Drawing, frame: DrawingFra
       clip = opening;
     }
     paintPath(context, drawing, frame, path);
-  });
+  }
   if (clip !== null) context.restore();
 }
 

@@ -1,6 +1,7 @@
 /** Turns a scene into what all frames of an animation share: fills, clips and gradient ends as flat arrays. */
 import type { LocalPath, Scene, ScenePath, Stop } from '../api/schema';
 import type { CorePicture, Rig } from '../rig/rig';
+import type { LayerName } from '../store/edit';
 
 type Fill = ScenePath['fill'];
 
@@ -22,6 +23,8 @@ export type Drawing = {
   readonly height: number;
   readonly canvas: string;
   readonly fills: readonly Fill[];
+  /** First path of each layer, and the one after its last. */
+  readonly ranges: Readonly<Record<LayerName, readonly [number, number]>>;
   readonly openings: readonly (number | null)[];
   /** Gradient ends x1, y1, x2, y2 of every path at rest; zeros for solid fills. */
   readonly axes: Float64Array;
@@ -45,6 +48,7 @@ export function drawingOf(scene: Scene): Drawing {
     height,
     canvas,
     fills,
+    ranges: rangesOf(scene),
     openings: [...back.map(() => null), ...fore.map(() => null), ...clips],
     axes,
     core: {
@@ -57,6 +61,11 @@ export function drawingOf(scene: Scene): Drawing {
       axes,
     },
   };
+}
+
+function rangesOf({ back, fore, local }: Scene): Drawing['ranges'] {
+  const head = back.length + fore.length;
+  return { back: [0, back.length], fore: [back.length, head], local: [head, head + local.length] };
 }
 
 /** The frame of posed vertices. Paths that did not move share their rest points. */

@@ -7,11 +7,13 @@ import { rigModuleReady, standing } from '../stage/posing';
 import { announce, report } from '../store/notices';
 import { edit, history, scene, track } from '../store/state';
 import { evenSize } from './canvas';
-import { type Forecast, forecastSvg, forecastVideo } from './forecast';
-import type { Performance } from './motion';
+import { type Forecast, forecastVideo } from './forecast';
+import { areOpaque, shownScene } from './layerLooks';
+import type { Performance, Score } from './motion';
 import { renderOnServer } from './serverVideo';
 import { soundCodec } from './soundTrack';
-import { animatedSvg, stillSvg } from './svgFile';
+import { stillSvg } from './svgFile';
+import { forecastAnimatedSvg, writeAnimatedSvg } from './svgThread';
 import { canEncode, encodeVideo, type VideoKind, type VideoOptions } from './videoFile';
 
 export type ExportKind = 'svg' | 'animated' | 'mp4' | 'webm';
@@ -46,7 +48,7 @@ export async function prepare(what: ExportKind): Promise<void> {
   await attempt(signal, async () => {
     await painted();
     const { forecast, maker } = await measured(what, signal);
-    const note = await soundNote(what, maker);
+    const note = [await soundNote(what, maker), layerNote(maker)].filter(Boolean).join(' ') || null;
     if (!signal.aborted) exporting.value = { kind: 'ready', what, forecast, maker, note };
   });
 }
@@ -55,11 +57,11 @@ export async function prepare(what: ExportKind): Promise<void> {
 export async function start(): Promise<void> {
   const ready = exporting.value;
   if (ready.kind !== 'ready') return;
-  const { what, maker } = ready;
+  const { what, maker, forecast } = ready;
   const { signal } = begin({ kind: 'working', what, progress: 0 });
   await attempt(signal, async () => {
     await painted();
-    const file = await made(what, maker, signal);
+    const file = await made(what, maker, forecast, signal);
     download(file.data, file.name);
     announce(`Exported ${file.name}`);
     exporting.value = { kind: 'idle' };
@@ -94,7 +96,7 @@ async function measured(what: ExportKind, signal: AbortSignal): Promise<{ foreca
     case 'svg':
       return { forecast: { bytes: still().length, seconds: 0 }, maker: 'browser' };
     case 'animated':
-      return { forecast: onStage(forecastSvg), maker: 'browser' };
+      return { forecast: await forecastAnimatedSvg(score(), svgTiming(), signal), maker: 'browser' };
     case 'mp4':
     case 'webm': {
       const options = videoOptions(what);
@@ -118,15 +120,19 @@ async function soundNote(what: ExportKind, maker: Maker): Promise<string | null>
   return what === 'mp4' && codec === 'opus' ? 'Sound as Opus: browsers and VLC play it, QuickTime may stay silent.' : null;
 }
 
-async function made(what: ExportKind, maker: Maker, signal: AbortSignal): Promise<{ data: Blob; name: string }> {
+/** The server knows scenes only: hidden layers are left out of them, but all others are opaque. */
+function layerNote(maker: Maker): string | null {
+  return maker === 'server' && !areOpaque(edit.value.layers) ? 'Layers come out opaque: the server paints no see-through layers.' : null;
+}
+
+async function made(what: ExportKind, maker: Maker, forecast: Forecast | null, signal: AbortSignal): Promise<{ data: Blob; name: string }> {
   const { name } = edit.value;
   switch (what) {
     case 'svg':
       return { data: new Blob([still()], { type: 'image/svg+xml' }), name: `${name}.svg` };
     case 'animated': {
-      const text = onStage((performance) =>
-        animatedSvg(performance, { looped: looped.value, durationSeconds: performance.track.duration }),
-      );
+      const onProgress = (progress: number) => tell(what, progress, signal);
+      const text = await writeAnimatedSvg(score(), svgTiming(), forecast?.seconds ?? 0, signal, onProgress);
       return { data: new Blob([text], { type: 'image/svg+xml' }), name: `${name}-animated.svg` };
     }
     case 'mp4':
@@ -146,26 +152,25 @@ function tell(what: ExportKind, progress: number, signal: AbortSignal): void {
   if (!signal.aborted) exporting.value = { kind: 'working', what, progress };
 }
 
+const svgTiming = () => ({ looped: looped.value, durationSeconds: track.value?.duration ?? 0 });
 const videoOptions = (kind: VideoKind): VideoOptions => ({ kind, fps: FPS, longerSide: videoSize.value });
 
+function score(): Score {
+  const { name, landmarks, pose, layers } = history.value.present;
+  if (!scene.value || !landmarks || !track.value) throw new Error('Choose a track first: there is nothing to play.');
+  return { name, scene: shownScene(scene.value, layers), landmarks, layers, pose, track: track.value };
+}
+
 /** Gives `use` a rig of its own: the stage's remembers what it shows. The rig is freed when the result is there. */
-function onStage<T>(use: (performance: Performance) => T): T {
-  const open = scene.value;
-  const { landmarks } = history.value.present;
-  if (!open || !landmarks || !track.value || !rigModuleReady.value) throw new Error('Choose a track first: there is nothing to play.');
-  const rig = buildRig(open, landmarks);
-  const result = use({
-    name: edit.value.name,
-    scene: open,
-    landmarks,
-    rig,
-    pose: edit.value.pose,
-    track: track.value,
-    sound: sound.value?.buffer ?? null,
-  });
-  if (result instanceof Promise) result.finally(() => rig.dispose()).catch(() => {});
-  else rig.dispose();
-  return result;
+async function onStage<T>(use: (performance: Performance) => Promise<T>): Promise<T> {
+  if (!rigModuleReady.value) throw new Error('The rig is still being loaded: try again in a moment.');
+  const playing = score();
+  const rig = buildRig(playing.scene, playing.landmarks);
+  try {
+    return await use({ ...playing, rig, sound: sound.value?.buffer ?? null });
+  } finally {
+    rig.dispose();
+  }
 }
 
 /** The picture as it stands on the stage. */

@@ -1,26 +1,34 @@
-/** What an export plays: a rigged scene, the pose it stands in and the track on top of it. */
+/** What an export plays: the layers shown, the pose they stand in and the track on top of it. */
 import type { Landmarks, Pose, Scene, Track } from '../api/schema';
 import { N_LANDMARKS } from '../face/ibug';
 import type { Rig } from '../rig/rig';
 import { isAtRest } from '../store/edit';
 import { mixed, poseAt } from '../timeline/track';
+import type { LayerLooks } from './layerLooks';
 
-export type Performance = {
+/** All that is needed to play, as plain data. */
+export type Score = {
   readonly name: string;
+  /** Only the layers that are shown. */
   readonly scene: Scene;
   readonly landmarks: Landmarks;
-  readonly rig: Rig;
+  readonly layers: LayerLooks;
   readonly pose: Pose;
   readonly track: Track;
+};
+
+/** A score with its scene rigged. */
+export type Performance = Score & {
+  readonly rig: Rig;
   /** What the track speaks with. */
   readonly sound: AudioBuffer | null;
 };
 
-export function verticesAt({ rig, pose, track }: Performance, timeSeconds: number): Float64Array {
+export function verticesAt({ rig, pose, track }: Pick<Performance, 'rig' | 'pose' | 'track'>, timeSeconds: number): Float64Array {
   return rig.vertices(mixed(pose, poseAt(track, timeSeconds))).vertices;
 }
 
-export function frameCount({ track }: Performance, fps: number): number {
+export function frameCount({ track }: Score, fps: number): number {
   return Math.max(1, Math.round(track.duration * fps));
 }
 

@@ -56,7 +56,7 @@ export async function encodeFrames(
   try {
     for (let frame = from; frame < to; frame++) {
       signal.throwIfAborted();
-      paintFrame(context, drawing, frameOf(performance.rig, drawing, rest, verticesAt(performance, frame / fps)));
+      paintFrame(context, drawing, performance.layers, frameOf(performance.rig, drawing, rest, verticesAt(performance, frame / fps)));
       await encoding.add(frame - from);
       onFrame(frame - from + 1);
       await pageTurn();
