@@ -14,7 +14,9 @@ test('hidden layers lose their paths, the others keep them', () => {
 
 test('opacity goes to the group of its layer, before what stands there', () => {
   const svg = '<svg><g id="back" a="1"></g><g id="fore"></g><g id="local"></g></svg>';
-  expect(withOpacities(svg, LOOKS)).toBe('<svg><g id="back" opacity="0.5" a="1"></g><g id="fore" opacity="0.25"></g><g id="local"></g></svg>');
+  expect(withOpacities(svg, LOOKS)).toBe(
+    '<svg><g id="back" opacity="0.5" a="1"></g><g id="fore" opacity="0.25"></g><g id="local"></g></svg>',
+  );
 });
 
 test('a hidden layer is not seen through', () => {
