@@ -2,6 +2,7 @@
 import { readFile } from 'node:fs/promises';
 import { expect, type Locator, type Page, test } from '@playwright/test';
 import { ALL_FORMATS, BufferSource, Input } from 'mediabunny';
+import { expectNoViolations } from './axe';
 import { systemChromium } from './chromium.mjs';
 import { drag } from './editor';
 import { bestLag, watchLipsAndSound } from './inStep';
@@ -99,6 +100,61 @@ test('a sound becomes a track that is heard, seen, edited, undone, kept and expo
     const sound = await file.getPrimaryAudioTrack();
     expect(await sound?.computeDuration()).toBeCloseTo(SOUND_SECONDS, 1);
   });
+});
+
+test('words of a part, manner, and files of other programs', async ({ page }) => {
+  await openPortrait(page);
+  await giveFile(page, page.getByRole('button', { name: 'Choose a sound…' }), 'syllables.wav', syllablesWav());
+  await expect(page.getByText('Lips from the sound alone.')).toBeVisible({ timeout: 60_000 });
+  await page.getByRole('button', { name: 'Pause' }).click();
+  const heard = await labels(page);
+
+  await test.step('a part is heard again, the rest stays', async () => {
+    await visemes(page).filter({ hasText: 'aa' }).first().focus();
+    await page.getByRole('combobox', { name: 'Viseme' }).selectOption('U');
+    await expect(page.getByText('Lips as you edited them.')).toBeVisible();
+    const waveform = await page.getByRole('img', { name: 'Waveform' }).boundingBox();
+    if (!waveform) throw new Error('no waveform');
+    const at = (seconds: number) => ({ x: waveform.x + (waveform.width * seconds) / SOUND_SECONDS, y: waveform.y + 10 });
+    await drag(page, at(0), at(0.8));
+    await page.getByRole('button', { name: 'Listen to this part' }).click();
+    await expect.poll(async () => (await labels(page))[1], { timeout: 60_000 }).toEqual(heard[1]);
+    expect((await labels(page)).slice(-6)).toEqual(heard.slice(-6)); // a block across the end of the part is cut there
+    await page.getByRole('button', { name: 'All of it' }).click();
+  });
+
+  await test.step('a manner is one step, and the panel follows undo', async () => {
+    await page.getByRole('radio', { name: 'Cartoon' }).check();
+    await page.getByRole('button', { name: 'Mute head' }).click();
+    await expect(page.getByText('Head', { exact: true }).first()).toBeVisible();
+    await expect(page.locator('.lane-labels')).not.toContainText('Head');
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await expect(page.locator('.lane-labels')).toContainText('Head');
+    await expect(page.getByRole('button', { name: 'Mute head' })).toHaveAttribute('aria-pressed', 'false');
+  });
+
+  await test.step('a track goes to Rhubarb and comes back with the sound', async () => {
+    const download = page.waitForEvent('download');
+    await page.getByRole('combobox', { name: 'Export the track' }).selectOption('Rhubarb TSV');
+    const cues = await readFile(await (await download).path());
+    expect(cues.toString()).toMatch(/^0\.00\tX\n/);
+    await giveFile(page, page.getByRole('button', { name: 'Import a track…' }), 'cues.tsv', cues);
+    await expect(page.getByRole('combobox', { name: 'Track', exact: true })).toHaveValue(/cues/);
+    await expect(page.getByRole('img', { name: 'Waveform' })).toBeVisible();
+    expect((await labels(page)).filter((label) => !label?.startsWith('sil')).length).toBeGreaterThanOrEqual(4);
+  });
+
+  await test.step('a project file keeps the sound', async () => {
+    const download = page.waitForEvent('download');
+    await page.getByRole('button', { name: 'Save' }).click();
+    const saved = await readFile(await (await download).path());
+    await giveFile(page, page.getByRole('button', { name: 'Open', exact: true }), 'again.vtalk', saved);
+    await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
+    await expect(page.getByText('speech-syllables.wav')).toBeVisible();
+    await expect(page.getByText('3.0 s', { exact: true })).toBeVisible();
+  });
+
+  await test.step('axe finds nothing', () => expectNoViolations(page));
 });
 
 test('the microphone is recorded and spoken', async ({ page }) => {

@@ -1,6 +1,7 @@
 /** The sheet that lists every shortcut. */
 import type { JSX } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
+import { BLOCK_KEYS } from '../speech/blockKeys';
 import { shortcutsShown } from '../store/state';
 import { IconButton } from './Button';
 import { LANDMARK_KEYS, SHORTCUT_GROUPS, type Shortcut } from './shortcuts';
@@ -26,6 +27,7 @@ export function ShortcutSheet(): JSX.Element | null {
           <Keys key={label} label={label} rows={shortcuts.map((shortcut) => [keysText(shortcut), shortcut.label])} />
         ))}
         <Keys label="On a landmark" rows={LANDMARK_KEYS} />
+        <Keys label="On a viseme" rows={BLOCK_KEYS} />
       </div>
     </dialog>
   );

@@ -1,7 +1,7 @@
 /** Actions from a sound to a track: a rough one at once, then what the server hears in it. */
 import { RequestError } from '../api/client';
 import { jobDone } from '../api/events';
-import type { Span, Track } from '../api/schema';
+import type { Span, Track, VisemeBlock } from '../api/schema';
 import { getRecordingAudio, getSpeechResult, postRecording, postSpeech, postSpoken } from '../api/speech';
 import { withTrackReplaced } from '../store/edit';
 import { amend, apply } from '../store/editing';
@@ -35,11 +35,18 @@ export function speakText(text: string): Promise<void> {
   });
 }
 
-/** The sound of the track on the timeline is heard again, all of it or a part, with the present choices. */
-export function listenAgain(part: Span | null): Promise<void> {
+/** The sound of the track on the timeline is heard again, with the present choices. */
+export function listenAgain(): Promise<void> {
   return attempt({ kind: 'sending' }, async (signal) => {
-    const base = track.value;
-    if (base) await listen(base, part, signal);
+    if (track.value) await listen(track.value, { transcript: choices.value.transcript }, signal);
+  });
+}
+
+/** Only `part` is heard again; `words` are what is said in it. */
+export function listenToPart(part: Span, words: string): Promise<void> {
+  return attempt({ kind: 'sending' }, async (signal) => {
+    const visemes = blocksOf(track.value);
+    if (track.value && visemes) await listen(track.value, { transcript: words, part, visemes: [...visemes] }, signal);
   });
 }
 
@@ -69,7 +76,7 @@ async function speakWith(data: Blob, label: string, signal: AbortSignal, spokenT
   const { name } = keepClip(data, label);
   const rough: SpeechTrack = { ...roughTrack(mono, titleOf(label)), tier: 'rough', audio: name, choices: choices.value };
   useTrack(rough);
-  await listen(rough, null, signal);
+  await listen(rough, { transcript: choices.value.transcript }, signal);
 }
 
 /** What was typed for the new sound; the words of the track before are not its words. */
@@ -78,14 +85,11 @@ function typedTranscript(): string {
   return transcript === choicesOf(track.value)?.transcript ? '' : transcript;
 }
 
-async function listen(base: Track, part: Span | null, signal: AbortSignal): Promise<void> {
+type Heard = { readonly transcript: string; readonly part?: Span; readonly visemes?: VisemeBlock[] };
+
+async function listen(base: Track, what: Heard, signal: AbortSignal): Promise<void> {
   const asked = choices.value;
-  const request = {
-    transcript: asked.transcript.trim() || null,
-    options: asked.options,
-    part,
-    visemes: part && [...(blocksOf(base) ?? [])],
-  };
+  const request = { ...what, transcript: what.transcript.trim() || null, options: asked.options };
   const job = await withRecording(signal, (recording_id) => postSpeech({ recording_id, ...request }, signal));
   await jobDone(job.id, signal, ({ phase, stage, progress }) => {
     if (!signal.aborted) listening.value = { kind: 'listening', stage: phase === 'queued' ? 'waiting' : stage, progress };
