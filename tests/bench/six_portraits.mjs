@@ -1,13 +1,12 @@
 // The main job as a newcomer does it, on six portraits: upload, drag a lip, undo, play the demo, export, reopen.
 // Usage: node tests/bench/six_portraits.mjs OUT [standard|draft] [NAME…]   (after `npm run build`; portraits of the development data)
 // Writes screenshots, exports and `figures.json` into OUT/NAME, and prints a row for each portrait.
-import { execFileSync, spawn } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:net';
-import { tmpdir } from 'node:os';
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromium } from '@playwright/test';
 import { systemChromium } from '../e2e/chromium.mjs';
+import { serveEditor } from '../e2e/serving.mjs';
 import { changedPixels, triangleChanges } from './changed_pixels.mjs';
 
 const ROOT = join(import.meta.dirname, '../..');
@@ -23,25 +22,6 @@ const FILES = [
 ];
 const DRAG_PIXELS = 20; // on the screen
 const DEMO_SECONDS = { rest: 0, blink: 0.6, smile: 1.6, gaze: 2.6, round: 3.9, open: 4.92, press: 5.6, tilt: 6.7 };
-
-async function serve() {
-  const port = await new Promise((resolve) => {
-    const probe = createServer().listen(0, '127.0.0.1', () => {
-      const { port: free } = probe.address();
-      probe.close(() => resolve(free));
-    });
-  });
-  const data = mkdtempSync(join(tmpdir(), 'vectortalker-six-'));
-  const server = spawn(join(BIN, 'vectortalker'), ['serve', '--port', `${port}`, '--data', data], { stdio: 'ignore' });
-  const url = `http://127.0.0.1:${port}/`;
-  for (let attempt = 0; attempt < 120; attempt += 1) {
-    const answer = await fetch(`${url}api/health`).catch(() => null);
-    if (answer?.ok) return { server, url };
-    await new Promise((resolve) => setTimeout(resolve, 250));
-  }
-  server.kill();
-  throw new Error(`The server does not answer at ${url}`);
-}
 
 const stage = (page) => page.getByRole('main', { name: 'Stage' });
 const settled = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
@@ -202,12 +182,12 @@ async function verify(browser, url, file, preset, folder) {
 
 const [folder, preset = 'standard', ...names] = process.argv.slice(2);
 if (!folder) throw new Error('Usage: node tests/bench/six_portraits.mjs OUT [standard|draft] [NAME…]');
-const { server, url } = await serve();
+const { url, stop } = await serveEditor();
 const browser = await chromium.launch(systemChromium());
 try {
   for (const file of FILES.filter((candidate) => names.length === 0 || names.some((name) => candidate.includes(name))))
     console.log(JSON.stringify(await verify(browser, url, file, preset, folder)));
 } finally {
   await browser.close();
-  server.kill('SIGTERM');
+  stop();
 }
