@@ -7,6 +7,8 @@ import re
 import struct
 import warnings
 import zlib
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numpy as np
@@ -55,13 +57,13 @@ def decode(data: bytes, name: str, limits: Limits | None = None) -> Portrait:
     Raises `VectorTalkerError`: `picture_too_large` before any pixel is decoded, `bad_picture` for all that is not a
     whole picture.
     """
-    limits = limits or Limits()
+    limits, name = limits or Limits(), shown_name(name)
     if len(data) > limits.max_bytes:
         raise VectorTalkerError(
             "picture_too_large",
             f"{name} has {len(data) / 1e6:.1f} MB; the limit is {limits.max_bytes / 1e6:.0f} MB: save it smaller.",
         )
-    with _open(data, name, limits) as image:
+    with _quietly(), _open(data, name, limits) as image:
         _check_size(image.size, name, limits)
         notices = _frame_notice(image, name)
         try:
@@ -78,11 +80,24 @@ def decode(data: bytes, name: str, limits: Limits | None = None) -> Portrait:
     return Portrait(rgb, alpha, name, (*notices, *mode_notices, *alpha_notices, *scale_notices))
 
 
+def shown_name(filename: str) -> str:
+    """What of a file's name can be printed: names may hold line breaks, or bytes that are no text at all."""
+    return "".join(character for character in filename if character.isprintable()) or "portrait"
+
+
 def canonical(portrait: Portrait, side: int) -> NDArray[np.uint8]:
     """The image that metrics compare with, uint8 [h, w, 3]: longer side scaled to `side` by LANCZOS, up or down."""
     scale = side / max(portrait.width, portrait.height)
     size = (max(1, round(portrait.width * scale)), max(1, round(portrait.height * scale)))
     return np.asarray(Image.fromarray(portrait.rgb).resize(size, Image.Resampling.LANCZOS))
+
+
+@contextmanager
+def _quietly() -> Iterator[None]:
+    """Pillow warns of odd metadata on stderr, where it helps nobody."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        yield
 
 
 def _open(data: bytes, name: str, limits: Limits) -> Image.Image:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from itertools import groupby
 from xml.sax.saxutils import escape
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 from vectortalker.scene import OPENING_OF_PART, OPENINGS, PARTS
 from vectortalker.schema import Fill, LinearFill, LocalPath, Scene, ScenePath
 
+NO_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # no document may hold these
 BLEED = 0.05  # of the frame's sides: more than half a pixel of any picture of 10 px or more
 
 
@@ -29,7 +31,7 @@ def to_svg(scene: Scene, openings: Sequence[NDArray[np.float64]], title: str, si
     box = f"0 0 {number(scene.width)} {number(scene.height)}"
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}" width="{size[0]}" height="{size[1]}">',
-        f"<title>{escape(title)}</title>",
+        f"<title>{escape(NO_XML.sub('', title))}</title>",
         f"<desc>Layered vector portrait of {len(paths)} paths: back, fore, local. Made with VectorTalker.</desc>",
         *_definitions(gradients, openings),
         _canvas(scene),

@@ -141,3 +141,8 @@ def test_any_bytes_are_a_track_or_refused(data: bytes) -> None:
         read_track(data, "track")
     except VectorTalkerError as error:
         assert error.code == "bad_track"
+
+
+@pytest.mark.parametrize("cue", [{"start": 0, "value": ["A"]}, {"start": 10**400, "value": "A"}])
+def test_cue_of_another_kind_is_refused(cue: dict[str, Any]) -> None:
+    assert "cue 1" in refusal(json.dumps({"mouthCues": [cue]}).encode())

@@ -124,3 +124,11 @@ def test_hard_files_give_a_portrait_or_one_message(shared_data: Path) -> None:
             refused.add(file.name)
             assert file.name in error.message and "\n" not in error.message
     assert refused == REFUSED
+
+
+def test_name_that_is_no_text_is_shown_without_its_bytes() -> None:
+    """As Python reads a file name with bytes that are no UTF-8."""
+    file = io.BytesIO()
+    Image.new("RGB", (20, 20)).save(file, "PNG")
+    assert decode(file.getvalue(), "a\udcff\nb.png").name == "ab.png"
+    assert decode(file.getvalue(), "\udcff").name == "portrait"

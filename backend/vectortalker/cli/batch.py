@@ -66,13 +66,13 @@ def _hand_in(options: argparse.Namespace, pictures: list[Path], settings: Vector
     n_refused = 0
     try:
         with progress_bar(options.folder.name) as bar:
-            for number, outcome in enumerate(hand_in(services, pictures, settings), 1):
+            for number, (path, outcome) in enumerate(hand_in(services, pictures, settings), 1):
                 bar.show(f"{number} of {len(pictures)}", number / len(pictures))
                 if isinstance(outcome, VectorTalkerError):
                     n_refused += 1
                     _refuse(outcome)
                 else:
-                    _write(options.output, outcome.portrait.name, outcome)
+                    _write(options.output, path.name, outcome)
     finally:
         services.close()
     return n_refused

@@ -34,25 +34,26 @@ class _HandedIn:
 
 def hand_in(
     services: Services, pictures: list[Path], options: VectorizeOptions
-) -> Iterator[Traced | VectorTalkerError]:
+) -> Iterator[tuple[Path, Traced | VectorTalkerError]]:
     """What became of each picture, in the order in which they are ready; nothing is left behind at the workers."""
     client = f"batch:{socket.gethostname()}-{os.getpid()}"
     waiting, handed_in = list(reversed(pictures)), list[_HandedIn]()
     try:
         while waiting or handed_in:
-            entered = _enter(services, client, waiting[-1], options) if waiting else None
+            path = waiting[-1] if waiting else None
+            entered = _enter(services, client, path, options) if path else None
             if entered is not None:
                 waiting.pop()
-            if isinstance(entered, VectorTalkerError):
-                yield entered
-            elif entered is not None:
+            if isinstance(entered, _HandedIn):
                 handed_in.append(entered)
                 continue
+            if path and entered is not None:
+                yield path, entered
             for job in [job for job in handed_in if _has_ended(services, job)]:
                 outcome = _outcome(services, job)
                 _clear(services, job)
                 handed_in.remove(job)
-                yield outcome
+                yield job.path, outcome
             time.sleep(POLL_SECONDS)
     finally:
         for job in handed_in:

@@ -101,7 +101,7 @@ def to_json(cues: list[Cue], duration: float, name: str) -> str:
 
 
 def _cue(start: object, shape: object, place: str) -> Cue:
-    if shape not in SHAPES:
+    if not isinstance(shape, str) or shape not in SHAPES:
         raise _bad(f"The shape {shape!r:.20} in {place} is none of {' '.join(SHAPES)}.")
     return Cue(_seconds(start, place), str(shape))
 
@@ -109,7 +109,7 @@ def _cue(start: object, shape: object, place: str) -> Cue:
 def _seconds(value: object, place: str) -> float:
     try:
         seconds = float(value)  # type: ignore[arg-type]  # whatever it is, float() decides
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise _bad(f"The time {value!r:.20} in {place} is no number.") from error
     if not (math.isfinite(seconds) and 0 <= seconds <= MAX_SECONDS):
         raise _bad(f"The time {seconds:g} s in {place} is not within 0 and {MAX_SECONDS:.0f} s.")

@@ -1,0 +1,162 @@
+"""Workers, the server and Redis are killed at random moments while jobs run: none is lost, all give the same bytes.
+
+`python -m scripts.soak.faults [KILLS] [sqlite|redis] [SEED]` from the repository's root. Every job's SVG is compared
+with that of an undisturbed run of the same request; event streams are cut and taken up again with `Last-Event-ID`.
+"""
+
+from __future__ import annotations
+
+import json
+import random
+import sys
+import tempfile
+import threading
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import httpx
+
+from scripts.soak.deployment import SMALL, START_SECONDS, Deployment
+from tests.server.pictures import picture
+
+KILLS = 50
+MEAN_SECONDS = 4.0  # between two kills
+WAITING = 3  # jobs that are kept in the queue while there are kills to come
+N_REQUESTS = 4  # different ones, each asked for again and again
+PATIENCE_SECONDS = 600.0  # for the last job after the last kill
+ENDED = ("done", "failed", "cancelled")
+
+
+@dataclass
+class Asked:
+    seed: int
+    job_id: str
+    phase: str = "queued"
+
+
+class Client:
+    """Asks as a browser does: again after any failure, and for snapshots from where the stream was cut."""
+
+    def __init__(self, deployment: Deployment) -> None:
+        self._url = deployment.url
+        self.cuts = 0
+
+    def ask(self, method: str, path: str, **content: object) -> httpx.Response:
+        deadline = time.monotonic() + START_SECONDS
+        while True:
+            try:
+                answer = httpx.request(method, f"{self._url}{path}", timeout=30, **content)  # type: ignore[arg-type]
+                if answer.status_code < 500:
+                    return answer
+            except httpx.HTTPError:
+                pass
+            if time.monotonic() > deadline:
+                raise TimeoutError(f"{method} {path}")
+            time.sleep(0.2)
+
+    def start(self, seed: int) -> str:
+        portrait = self.ask("POST", "/api/portraits", files={"file": ("waves.png", picture(72, 96))}).json()
+        body = {"portrait_id": portrait["id"], "options": {**SMALL, "seed": seed}}
+        return self.ask("POST", "/api/jobs", json=body).json()["id"]
+
+    def follow(self, job_id: str) -> dict[str, object]:
+        """The last snapshot, over as many streams as it takes; revisions never go back."""
+        last_id, revision, state = "", -1, dict[str, object]()
+        deadline = time.monotonic() + PATIENCE_SECONDS
+        while time.monotonic() < deadline:
+            try:
+                headers = {"Last-Event-ID": last_id} if last_id else {}
+                with httpx.stream(
+                    "GET", f"{self._url}/api/jobs/{job_id}/events", headers=headers, timeout=30
+                ) as stream:
+                    if stream.status_code == 404:
+                        raise AssertionError(f"job {job_id} was lost")
+                    for line in stream.iter_lines():
+                        if line.startswith("data: "):
+                            state = json.loads(line.removeprefix("data: "))
+                            assert int(str(state["revision"])) >= revision, (state, revision)
+                            revision = int(str(state["revision"]))
+                        elif line.startswith("id: "):
+                            last_id = line.removeprefix("id: ")
+                        if random.random() < 0.02:
+                            break  # the connection is cut here
+            except httpx.HTTPError:
+                time.sleep(0.2)
+            if state.get("phase") in ENDED:
+                return state
+            self.cuts += 1
+        raise TimeoutError(f"job {job_id} is stuck: {state}")
+
+
+def undisturbed(folder: Path) -> list[str]:
+    """The SVG of each request."""
+    deployment = Deployment(folder, shared=False)
+    client = Client(deployment)
+    jobs = [client.start(seed) for seed in range(N_REQUESTS)]
+    states = [client.follow(job_id) for job_id in jobs]
+    assert all(state["phase"] == "done" for state in states), states
+    svgs = [client.ask("GET", f"/api/jobs/{job_id}/svg").text for job_id in jobs]
+    deployment.stop()
+    return svgs
+
+
+def main() -> int:
+    kills = int(sys.argv[1]) if len(sys.argv) > 1 else KILLS
+    shared = sys.argv[2:3] != ["sqlite"]
+    random.seed(int(sys.argv[3]) if len(sys.argv) > 3 else 1)
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for part in ("undisturbed", "disturbed"):
+            (folder / part).mkdir()
+        expected = undisturbed(folder / "undisturbed")
+        return _disturbed(Deployment(folder / "disturbed", shared=shared), kills, expected)
+
+
+def _disturbed(deployment: Deployment, kills: int, expected: list[str]) -> int:
+    client, asked, killed = Client(deployment), list[Asked](), dict[str, int]()
+    deployment.wait_for_workers()
+    threads = []
+    began = time.monotonic()
+    while sum(killed.values()) < kills:
+        while sum(job.phase not in ENDED for job in asked) < WAITING:
+            seed = len(asked) % N_REQUESTS
+            job = Asked(seed, client.start(seed))
+            asked.append(job)
+            threads.append(threading.Thread(target=_follow, args=(client, job)))
+            threads[-1].start()
+        time.sleep(random.expovariate(1 / MEAN_SECONDS))
+        victim = _kill(deployment)
+        if victim:
+            killed[victim] = killed.get(victim, 0) + 1
+            print(f"{time.monotonic() - began:.0f} s: {victim} killed, {len(asked)} jobs so far", flush=True)
+    for thread in threads:
+        thread.join()
+    svgs = [(job, client.ask("GET", f"/api/jobs/{job.job_id}/svg").text) for job in asked if job.phase == "done"]
+    differing = [job.job_id for job, svg in svgs if svg != expected[job.seed]]
+    phases = {phase: sum(job.phase == phase for job in asked) for phase in {job.phase for job in asked}}
+    deployment.stop()
+    print(f"faults: {killed} killed in {time.monotonic() - began:.0f} s, {client.cuts} streams taken up again")
+    print(f"faults: {len(asked)} jobs, {phases}, {len(differing)} differ from the undisturbed run", flush=True)
+    return 0 if phases == {"done": len(asked)} and not differing else 1
+
+
+def _follow(client: Client, job: Asked) -> None:
+    job.phase = str(client.follow(job.job_id)["phase"])
+
+
+def _kill(deployment: Deployment) -> str | None:
+    victims = ["worker", "worker", "server"] + (["Redis"] if deployment.redis else [])
+    match random.choice(victims):
+        case "worker":
+            return "worker" if deployment.kill_worker(random.randrange(4)) else None
+        case "server":
+            deployment.kill_server()
+            return "server"
+        case _:
+            deployment.kill_redis()
+            return "Redis"
+
+
+if __name__ == "__main__":
+    sys.exit(main())

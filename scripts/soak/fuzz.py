@@ -1,0 +1,70 @@
+"""Many inputs for every target of tests/fuzz, each target in a process of limited memory and time.
+
+`python -m scripts.soak.fuzz [INPUTS]` from the repository's root prints a line a target and ends with 1 if any failed.
+"""
+
+from __future__ import annotations
+
+import multiprocessing
+import resource
+import sys
+import time
+import traceback
+
+from hypothesis import HealthCheck, given, settings
+
+from tests.fuzz.targets import TARGETS, Target
+
+INPUTS = 100_000
+MEMORY_BYTES = 3_000_000_000  # of addresses, libraries included; a bomb that is unpacked would pass it
+SECONDS_PER_INPUT = 0.2  # on a busy machine; a hang of any one input passes the sum
+BATCH = 2_000  # inputs that hypothesis is asked for at a time: it keeps in mind what it tried
+
+
+def main() -> int:
+    total = int(sys.argv[1]) if len(sys.argv) > 1 else INPUTS
+    shares = sum(target.share for target in TARGETS.values())
+    failed, tried = [], 0
+    for name, target in TARGETS.items():
+        n_inputs = round(total * target.share / shares)
+        process = multiprocessing.get_context("fork").Process(target=_try, args=(name, n_inputs))
+        began = time.monotonic()
+        process.start()
+        process.join(60 + SECONDS_PER_INPUT * n_inputs)
+        if process.is_alive():
+            process.kill()
+            process.join()
+        seconds = time.monotonic() - began
+        peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1000
+        print(
+            f"{name}: {n_inputs} inputs, {seconds:.0f} s, exit code {process.exitcode}, at most {peak:.0f} MB",
+            flush=True,
+        )
+        tried += n_inputs
+        if process.exitcode != 0:
+            failed.append(name)
+    print(f"fuzz: {tried} inputs, failed: {', '.join(failed) or 'none'}", flush=True)
+    return 1 if failed else 0
+
+
+def _try(name: str, n_inputs: int) -> None:
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
+    try:
+        for first in range(0, n_inputs, BATCH):
+            _try_batch(TARGETS[name], min(BATCH, n_inputs - first))
+    except BaseException:
+        traceback.print_exc()
+        raise SystemExit(1) from None
+
+
+def _try_batch(target: Target, n_inputs: int) -> None:
+    @settings(max_examples=n_inputs, deadline=None, database=None, suppress_health_check=list(HealthCheck))
+    @given(target.inputs)
+    def property_holds(given_input: object) -> None:
+        target.run(given_input)
+
+    property_holds()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
