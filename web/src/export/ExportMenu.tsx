@@ -10,6 +10,7 @@ import './export.css';
 const KINDS: readonly { readonly kind: ExportKind; readonly label: string; readonly about: string; readonly moves: boolean }[] = [
   { kind: 'svg', label: 'SVG', about: 'The layered picture as it stands on the stage', moves: false },
   { kind: 'animated', label: 'Animated SVG', about: 'Plays anywhere an image does, without scripts', moves: true },
+  { kind: 'page', label: 'Web page', about: 'One file that moves in any browser, with its sound', moves: true },
   { kind: 'mp4', label: 'MP4 video', about: 'H.264, for messengers, slides and video editors', moves: true },
   { kind: 'webm', label: 'WebM video', about: 'VP9, for the web', moves: true },
 ];

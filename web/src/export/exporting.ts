@@ -2,21 +2,24 @@
 import { signal as state } from '@preact/signals';
 import { download } from '../project/files';
 import { buildRig } from '../rig/rig';
-import { sound } from '../speech/sound';
+import { mediaTypeOf } from '../speech/clips';
+import { clip, sound } from '../speech/sound';
 import { rigModuleReady, standing } from '../stage/posing';
 import { announce, report } from '../store/notices';
 import { edit, history, scene, track } from '../store/state';
 import { evenSize } from './canvas';
+import type { VideoKind } from './container';
 import { type Forecast, forecastVideo } from './forecast';
 import { areOpaque, shownScene } from './layerLooks';
 import type { Performance, Score } from './motion';
+import { pageFile } from './pageFile';
 import { renderOnServer } from './serverVideo';
 import { soundCodec } from './soundTrack';
 import { stillSvg } from './svgFile';
 import { forecastAnimatedSvg, writeAnimatedSvg } from './svgThread';
-import { canEncode, encodeVideo, type VideoKind, type VideoOptions } from './videoFile';
+import { canEncode, encodeVideo, type VideoOptions } from './videoFile';
 
-export type ExportKind = 'svg' | 'animated' | 'mp4' | 'webm';
+export type ExportKind = 'svg' | 'animated' | 'page' | 'mp4' | 'webm';
 
 /** Where a video would be made. */
 export type Maker = 'browser' | 'server';
@@ -34,6 +37,7 @@ export type Exporting =
   | { readonly kind: 'working'; readonly what: ExportKind; readonly progress: number };
 
 const FPS = 25;
+const BASE64_GROWTH = 4 / 3;
 
 export const exporting = state<Exporting>({ kind: 'idle' });
 /** Longer side of a video in pixels. */
@@ -48,7 +52,7 @@ export async function prepare(what: ExportKind): Promise<void> {
   await attempt(signal, async () => {
     await painted();
     const { forecast, maker } = await measured(what, signal);
-    const note = [await soundNote(what, maker), layerNote(maker)].filter(Boolean).join(' ') || null;
+    const note = [await soundNote(what), layerNote(maker)].filter(Boolean).join(' ') || null;
     if (!signal.aborted) exporting.value = { kind: 'ready', what, forecast, maker, note };
   });
 }
@@ -97,6 +101,10 @@ async function measured(what: ExportKind, signal: AbortSignal): Promise<{ foreca
       return { forecast: { bytes: still().length, seconds: 0 }, maker: 'browser' };
     case 'animated':
       return { forecast: await forecastAnimatedSvg(score(), svgTiming(), signal), maker: 'browser' };
+    case 'page': {
+      const { bytes, seconds } = await forecastAnimatedSvg(score(), svgTiming(), signal);
+      return { forecast: { bytes: bytes + BASE64_GROWTH * (clip.value?.data.size ?? 0), seconds }, maker: 'browser' };
+    }
     case 'mp4':
     case 'webm': {
       const options = videoOptions(what);
@@ -110,11 +118,10 @@ async function measured(what: ExportKind, signal: AbortSignal): Promise<{ foreca
 }
 
 /** What becomes of the sound, where it is not as people would expect. */
-async function soundNote(what: ExportKind, maker: Maker): Promise<string | null> {
+async function soundNote(what: ExportKind): Promise<string | null> {
   const spoken = sound.value?.buffer;
-  if (!spoken || what === 'svg') return null;
+  if (!spoken || what === 'svg' || what === 'page') return null;
   if (what === 'animated') return 'Without sound: an SVG has none. It is in step when both are started together.';
-  if (maker === 'server') return 'Without sound: the server renders the picture only.';
   const codec = await soundCodec(what, spoken);
   if (!codec) return 'Without sound: this browser cannot encode any.';
   return what === 'mp4' && codec === 'opus' ? 'Sound as Opus: browsers and VLC play it, QuickTime may stay silent.' : null;
@@ -130,10 +137,15 @@ async function made(what: ExportKind, maker: Maker, forecast: Forecast | null, s
   switch (what) {
     case 'svg':
       return { data: new Blob([still()], { type: 'image/svg+xml' }), name: `${name}.svg` };
-    case 'animated': {
+    case 'animated':
+    case 'page': {
+      const spoken = what === 'page' ? clip.value : null;
       const onProgress = (progress: number) => tell(what, progress, signal);
-      const text = await writeAnimatedSvg(score(), svgTiming(), forecast?.seconds ?? 0, signal, onProgress);
-      return { data: new Blob([text], { type: 'image/svg+xml' }), name: `${name}-animated.svg` };
+      const timing = { ...svgTiming(), looped: looped.value && !spoken }; // the sound repeats, and the picture follows it
+      const text = await writeAnimatedSvg(score(), timing, forecast?.seconds ?? 0, signal, onProgress);
+      if (what === 'animated') return { data: new Blob([text], { type: 'image/svg+xml' }), name: `${name}-animated.svg` };
+      const pageSound = spoken && { data: spoken.data, mediaType: mediaTypeOf(spoken.name), looped: looped.value };
+      return { data: new Blob([await pageFile(text, name, pageSound)], { type: 'text/html' }), name: `${name}.html` };
     }
     case 'mp4':
     case 'webm': {

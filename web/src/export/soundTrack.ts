@@ -1,6 +1,6 @@
 /** Puts sound into a video file: which codec this browser really encodes, and slices of the sound as the pictures come. */
 import type { AudioCodec, Output } from 'mediabunny';
-import type { VideoKind } from './videoFile';
+import { fileFormat, type VideoKind } from './container';
 
 /** AAC plays everywhere; Opus in MP4 in browsers and most players. */
 const CODECS: Readonly<Record<VideoKind, readonly AudioCodec[]>> = { mp4: ['aac', 'opus'], webm: ['opus'] };
@@ -17,8 +17,8 @@ export async function soundCodec(kind: VideoKind, sound: AudioBuffer): Promise<A
 }
 
 async function encodes(kind: VideoKind, codec: AudioCodec, sound: AudioBuffer): Promise<boolean> {
-  const { BufferTarget, Mp4OutputFormat, Output, WebMOutputFormat } = await import('mediabunny');
-  const output = new Output({ format: kind === 'mp4' ? new Mp4OutputFormat() : new WebMOutputFormat(), target: new BufferTarget() });
+  const { BufferTarget, Output } = await import('mediabunny');
+  const output = new Output({ format: await fileFormat(kind), target: new BufferTarget() });
   try {
     const feed = await addSound(output, codec, sound);
     await output.start();

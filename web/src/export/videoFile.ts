@@ -1,16 +1,14 @@
 /** Turns frames painted on a canvas into an MP4 or WebM file, by WebCodecs. */
 import type { Output, VideoCodec } from 'mediabunny';
 import { evenSize, type PixelSize, paintFrame } from './canvas';
+import { fileFormat, MEDIA_TYPES, type VideoKind } from './container';
 import { type Drawing, drawingOf, frameOf, restFrame } from './drawing';
 import { frameCount, type Performance, verticesAt } from './motion';
 import { addSound, soundCodec } from './soundTrack';
 
-export type VideoKind = 'mp4' | 'webm';
-
 export type VideoOptions = { readonly kind: VideoKind; readonly fps: number; readonly longerSide: number };
 
 const CODECS: Readonly<Record<VideoKind, VideoCodec>> = { mp4: 'avc', webm: 'vp9' };
-const MEDIA_TYPES: Readonly<Record<VideoKind, string>> = { mp4: 'video/mp4', webm: 'video/webm' };
 const KEY_FRAME_SECONDS = 2;
 
 /** Whether this browser really encodes `kind` at `size`: a supported configuration may still fail, so one frame is encoded. */
@@ -76,8 +74,8 @@ type Encoding = {
 };
 
 async function startEncoding(canvas: OffscreenCanvas, kind: VideoKind, fps: number, sound: AudioBuffer | null): Promise<Encoding> {
-  const { BufferTarget, CanvasSource, Mp4OutputFormat, Output, QUALITY_HIGH, WebMOutputFormat } = await import('mediabunny');
-  const format = kind === 'mp4' ? new Mp4OutputFormat({ fastStart: 'in-memory' }) : new WebMOutputFormat();
+  const { BufferTarget, CanvasSource, Output, QUALITY_HIGH } = await import('mediabunny');
+  const format = await fileFormat(kind);
   const target = new BufferTarget();
   const output: Output = new Output({ format, target });
   const source = new CanvasSource(canvas, { codec: CODECS[kind], bitrate: QUALITY_HIGH, keyFrameInterval: KEY_FRAME_SECONDS });

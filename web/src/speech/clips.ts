@@ -24,6 +24,12 @@ export function keepClip(data: Blob, label: string): Clip {
   return clip;
 }
 
+/** What a clip holds, by its ending; recordings of the editor are sound only. */
+export function mediaTypeOf(name: string): string {
+  const ending = name.slice(name.lastIndexOf('.') + 1);
+  return Object.keys(ENDINGS).find((type) => ENDINGS[type] === ending) ?? `audio/${ending}`;
+}
+
 /** The clips that tracks of `edit` speak with, in the order of the tracks. */
 export function clipsOf(edit: Edit): Clip[] {
   const named = new Set(edit.tracks.map(audioOf));
