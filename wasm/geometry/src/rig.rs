@@ -3,7 +3,7 @@
 use crate::bound::{BoundPaths, Frame, Options};
 use crate::error::RigError;
 use crate::face::{Face, Iris, Landmarks, aligned_depth, irises_or_eye_centres};
-use crate::mesh::vertices::{IRIS, TONGUE};
+use crate::mesh::vertices::{FIRST_SKIN, IRIS, TONGUE};
 use crate::mesh::{Mesh, VertexSet};
 use crate::opening::{N_LANDMARKS, Opening, snap_closed};
 use crate::point::Point;
@@ -44,10 +44,29 @@ impl Rig {
         let mesh = Mesh::build(set.rest.clone(), set.triangulated(), &closed)?;
         let mouth_closed = closed.contains(&Opening::Mouth);
         let mut rig = Self { face, landmarks, irises, set, mesh, paths: BoundPaths::default() };
+        rig.free_lids(&closed)?;
         let expressions: Vec<Vec<Point>> = EXTREMES.iter().map(|pose| rig.vertices(&Pose::of(pose)).0).collect();
         head::relax_depth(&mut rig.set, &rig.mesh, &rig.face, &expressions);
         rig.paths = BoundPaths::bind(scene, &rig.mesh, &rig.set.moving(), options, mouth_closed);
         Ok(rig)
+    }
+
+    /// Drops the bands of lids and brows that would keep the eyes from closing: a thicker lash line is the smaller evil.
+    fn free_lids(&mut self, closed: &[Opening]) -> Result<(), RigError> {
+        for _ in 0..MAX_DROPS {
+            let limit = self.vertices(&Pose::of(&SHUT_EYES)).1;
+            let in_way = |vertex: &usize| *vertex >= FIRST_SKIN && !self.set.follows[*vertex].is_empty();
+            let limiting = limit.triangles.iter().flat_map(|&triangle| self.mesh.triangles[triangle].vertices);
+            let mut dropped: Vec<usize> = limiting.filter(in_way).collect();
+            if dropped.is_empty() {
+                break;
+            }
+            dropped.sort_unstable();
+            dropped.dedup();
+            self.set.drop_vertices(&dropped);
+            self.mesh = Mesh::build(self.set.rest.clone(), self.set.triangulated(), closed)?;
+        }
+        Ok(())
     }
 
     #[must_use]
@@ -143,6 +162,10 @@ impl Rig {
         Opening::ALL.map(|opening| opening.outline(vertices))
     }
 }
+
+const SHUT_EYES: [(Channel, f64); 2] = [(Channel::BlinkLeft, 1.0), (Channel::BlinkRight, 1.0)];
+/// Rounds of dropping vertices; portraits need none to three.
+const MAX_DROPS: usize = 8;
 
 /// Expressions that bring the most triangles near their limits: the head must be free to turn in all of them.
 const EXTREMES: [&[(Channel, f64)]; 3] = [

@@ -252,6 +252,24 @@ fn iris_keeps_its_shape_and_full_blink_closes_exactly() {
     }
 }
 
+/// Lids that close aslant, under low brows, carry their bands across those of the brows.
+#[test]
+fn slanting_eyes_under_low_brows_close_fully() {
+    let mut landmarks = face(0.0);
+    for brow in 17..27 {
+        landmarks[brow].y += 9.0;
+    }
+    for (upper, shift) in [(37, 0.0), (38, -7.0), (43, 7.0), (44, 0.0)] {
+        landmarks[upper].x += shift;
+    }
+    let rig = rig_of(landmarks, &[], Options::default());
+    let (vertices, limit) = rig.vertices(&Pose::of(&[(Channel::BlinkLeft, 1.0), (Channel::BlinkRight, 1.0)]));
+    assert_eq!(limit.scale, 1.0);
+    for outline in &rig.openings(&vertices)[..2] {
+        assert!(signed_area(outline).abs() < 1e-9);
+    }
+}
+
 #[test]
 fn without_splitting_points_follow_their_own_triangles() {
     let paths = blobs(Layer::Fore);

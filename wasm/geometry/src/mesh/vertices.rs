@@ -74,6 +74,16 @@ impl VertexSet {
         self.rest.iter().zip(&self.head_weight).filter(|(_, weight)| **weight > 0.0).map(|(&rest, _)| rest).collect()
     }
 
+    /// Leaves out vertices that only shape the mesh; `dropped` ascending, from `FIRST_SKIN` on.
+    pub fn drop_vertices(&mut self, dropped: &[usize]) {
+        for &vertex in dropped.iter().rev() {
+            self.rest.remove(vertex);
+            self.head_weight.remove(vertex);
+            self.depth.remove(vertex);
+            self.follows.remove(vertex);
+        }
+    }
+
     fn add(&mut self, rest: Point, head_weight: f64, depth: f64, follows: &[(usize, f64)]) {
         self.rest.push(rest);
         self.head_weight.push(head_weight);
