@@ -26,6 +26,15 @@ TABLES: dict[str, tuple[str, dict[str, VectorizeOptions]]] = {
             "best, draft": VectorizeOptions(recipe="best", preset="draft"),
         },
     ),
+    "small": (
+        "Recipes at 125 paths × 8 cubics, 256 px: as many pixels a path, a fifth of the time",
+        {
+            "best": VectorizeOptions(paths=125, working_size=256),
+            "best, no layers": VectorizeOptions(paths=125, working_size=256, layers=False),
+            "paper": VectorizeOptions(recipe="paper", paths=125, working_size=256, layers=False),
+            "diffvg": VectorizeOptions(recipe="diffvg", paths=125, working_size=256, layers=False),
+        },
+    ),
     "layers": (
         "Three layers and one",
         {"best": VectorizeOptions(), "best, no layers": VectorizeOptions(layers=False)},
