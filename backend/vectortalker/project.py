@@ -26,6 +26,7 @@ MAX_DOCUMENT_BYTES = 64_000_000  # a fine scene has 2 MB, an hour's track 30 MB
 MAX_MEDIA_BYTES = 64_000_000
 MAX_ENTRIES = 64  # a directory of millions would be read whole before any entry
 ENTRY_SIGNATURE = b"PK\x01\x02"
+MAX_REASON = 100  # characters
 FIXED_DATE = (1980, 1, 1, 0, 0, 0)  # same project, same bytes
 DAMAGED = (zipfile.BadZipFile, zlib.error, EOFError, OSError, RuntimeError, NotImplementedError, ValueError)
 
@@ -68,7 +69,8 @@ def unpack(data: bytes, name: str) -> ProjectFile:
             source = _media(entries, project.source, name)
             audio = _media(entries, project.audio, name)
     except DAMAGED as error:
-        raise _bad(f"{name} is not a whole project file ({error}): save it again.") from error
+        reason = str(error)[:MAX_REASON]  # it may quote a name of 64 kB
+        raise _bad(f"{name} is not a whole project file ({reason}): save it again.") from error
     return ProjectFile(project, source, audio)
 
 

@@ -82,12 +82,14 @@ class Deployment:
             os.kill(pids[number % len(pids)], signal.SIGKILL)
         return bool(pids)
 
-    def stop(self) -> None:
-        for process in (self.server, self.helper):
-            if process:
-                process.terminate()
-        for process in (self.server, self.helper):
-            if process:
-                process.wait(timeout=60)
+    def __enter__(self) -> Deployment:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        running = [process for process in (self.server, self.helper) if process]
+        for process in running:
+            process.terminate()
+        for process in running:
+            process.wait(timeout=60)
         if self.redis:
             self.redis.kill()

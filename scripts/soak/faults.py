@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import random
+import signal
 import sys
 import tempfile
 import threading
@@ -91,26 +92,26 @@ class Client:
 
 def undisturbed(folder: Path) -> list[str]:
     """The SVG of each request."""
-    deployment = Deployment(folder, shared=False)
-    client = Client(deployment)
-    jobs = [client.start(seed) for seed in range(N_REQUESTS)]
-    states = [client.follow(job_id) for job_id in jobs]
-    assert all(state["phase"] == "done" for state in states), states
-    svgs = [client.ask("GET", f"/api/jobs/{job_id}/svg").text for job_id in jobs]
-    deployment.stop()
-    return svgs
+    with Deployment(folder, shared=False) as deployment:
+        client = Client(deployment)
+        jobs = [client.start(seed) for seed in range(N_REQUESTS)]
+        states = [client.follow(job_id) for job_id in jobs]
+        assert all(state["phase"] == "done" for state in states), states
+        return [client.ask("GET", f"/api/jobs/{job_id}/svg").text for job_id in jobs]
 
 
 def main() -> int:
     kills = int(sys.argv[1]) if len(sys.argv) > 1 else KILLS
     shared = sys.argv[2:3] != ["sqlite"]
     random.seed(int(sys.argv[3]) if len(sys.argv) > 3 else 1)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for part in ("undisturbed", "disturbed"):
             (folder / part).mkdir()
         expected = undisturbed(folder / "undisturbed")
-        return _disturbed(Deployment(folder / "disturbed", shared=shared), kills, expected)
+        with Deployment(folder / "disturbed", shared=shared) as deployment:
+            return _disturbed(deployment, kills, expected)
 
 
 def _disturbed(deployment: Deployment, kills: int, expected: list[str]) -> int:
@@ -135,7 +136,6 @@ def _disturbed(deployment: Deployment, kills: int, expected: list[str]) -> int:
     svgs = [(job, client.ask("GET", f"/api/jobs/{job.job_id}/svg").text) for job in asked if job.phase == "done"]
     differing = [job.job_id for job, svg in svgs if svg != expected[job.seed]]
     phases = {phase: sum(job.phase == phase for job in asked) for phase in {job.phase for job in asked}}
-    deployment.stop()
     print(f"faults: {killed} killed in {time.monotonic() - began:.0f} s, {client.cuts} streams taken up again")
     print(f"faults: {len(asked)} jobs, {phases}, {len(differing)} differ from the undisturbed run", flush=True)
     return 0 if phases == {"done": len(asked)} and not differing else 1

@@ -10,15 +10,18 @@ import resource
 import sys
 import time
 import traceback
+from collections.abc import Callable
+from random import Random
+from typing import Any
 
 from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
-from tests.fuzz.targets import TARGETS, Target
+from tests.fuzz.targets import TARGETS
 
 INPUTS = 100_000
 MEMORY_BYTES = 3_000_000_000  # of addresses, libraries included; a bomb that is unpacked would pass it
 SECONDS_PER_INPUT = 0.2  # on a busy machine; a hang of any one input passes the sum
-BATCH = 2_000  # inputs that hypothesis is asked for at a time: it keeps in mind what it tried
 
 
 def main() -> int:
@@ -49,19 +52,23 @@ def main() -> int:
 
 def _try(name: str, n_inputs: int) -> None:
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
+    target, seed = TARGETS[name], 0
     try:
-        for first in range(0, n_inputs, BATCH):
-            _try_batch(TARGETS[name], min(BATCH, n_inputs - first))
+        if isinstance(target.inputs, st.SearchStrategy):
+            return _draw(target.inputs, target.run, n_inputs)
+        for seed in range(n_inputs):
+            target.run(target.inputs(Random(seed)))
     except BaseException:
+        print(f"{name}: failed with seed {seed}", flush=True)
         traceback.print_exc()
         raise SystemExit(1) from None
 
 
-def _try_batch(target: Target, n_inputs: int) -> None:
+def _draw(inputs: st.SearchStrategy[Any], run: Callable[[Any], None], n_inputs: int) -> None:
     @settings(max_examples=n_inputs, deadline=None, database=None, suppress_health_check=list(HealthCheck))
-    @given(target.inputs)
+    @given(inputs)
     def property_holds(given_input: object) -> None:
-        target.run(given_input)
+        run(given_input)
 
     property_holds()
 

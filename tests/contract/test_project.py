@@ -99,6 +99,13 @@ def test_what_is_no_zip_is_refused(data: bytes) -> None:
     assert "not a whole project file" in refusal(data)
 
 
+def test_refusal_quotes_no_more_than_a_line() -> None:
+    """A local header whose length of name swallows what follows, and so differs from the directory's name."""
+    whole = bytearray(pack(ProjectFile(project())))
+    whole[26:28] = (600).to_bytes(2, "little")
+    assert len(refusal(bytes(whole))) < 250
+
+
 @settings(max_examples=300, deadline=None)
 @given(st.data())
 def test_damaged_project_is_read_or_refused(data: st.DataObject) -> None:

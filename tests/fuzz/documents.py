@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import copy
 import json
+from collections.abc import Callable
+from random import Random
 from typing import Any
-
-from hypothesis import strategies as st
 
 HUGE = 10**400
 VALUES = (
@@ -16,11 +16,18 @@ VALUES = (
 DEPTH = 300  # of lists within each other; far deeper ones cannot be written by json itself and are tested apart
 
 
-def spoilt(document: Any) -> st.SearchStrategy[bytes]:
-    """JSON text of `document` after a few changes; NaN and infinity are written as Python writes them."""
-    places = list(_places(document))
-    change = st.tuples(st.sampled_from(places), st.sampled_from(range(len(VALUES) + 3)))
-    return st.lists(change, min_size=1, max_size=3).map(lambda changes: _text(document, changes))
+def spoilt(*documents: Any) -> Callable[[Random], bytes]:
+    """A maker of JSON text of the documents after a few changes; NaN and infinity are written as Python writes them."""
+    places = [(document, list(_places(document))) for document in documents]
+
+    def make(random: Random) -> bytes:
+        document, paths = random.choice(places)
+        changed = copy.deepcopy(document)
+        for _ in range(random.randint(1, 3)):
+            changed = _changed(changed, random.choice(paths), random.randrange(len(VALUES) + 3))
+        return json.dumps(changed).encode()
+
+    return make
 
 
 def _places(value: Any, path: tuple[Any, ...] = ()) -> Any:
@@ -33,13 +40,6 @@ def _places(value: Any, path: tuple[Any, ...] = ()) -> Any:
     elif isinstance(value, list):
         for index in {0, len(value) - 1} - {-1}:
             yield from _places(value[index], (*path, index))
-
-
-def _text(document: Any, changes: list[tuple[tuple[Any, ...], int]]) -> bytes:
-    changed = copy.deepcopy(document)
-    for path, number in changes:
-        changed = _changed(changed, path, number)
-    return json.dumps(changed).encode()
 
 
 def _changed(value: Any, path: tuple[Any, ...], number: int) -> Any:
