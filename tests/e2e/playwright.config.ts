@@ -13,7 +13,7 @@ export default defineConfig({
   testDir: import.meta.dirname,
   outputDir: join(ROOT, 'test-results'),
   workers: 1, // the server's optimiser takes the other core
-  timeout: 120_000,
+  timeout: 300_000, // a busy machine is no failure
   expect: { timeout: 20_000 },
   reporter: 'list',
   use: {

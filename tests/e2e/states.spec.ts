@@ -34,6 +34,20 @@ test('without the server, new portraits wait and say so', async ({ page, context
   await context.setOffline(false);
 });
 
+test('a portrait is deleted here and on the server, after a question', async ({ page, request }) => {
+  await openEditor(page);
+  const posted = page.waitForResponse((response) => response.url().endsWith('/api/portraits') && response.request().method() === 'POST');
+  await chooseFile(page, { name: 'plain.png', mimeType: 'image/png', buffer: gradientPng(96) });
+  const { id } = (await (await posted).json()) as { id: string };
+  await expect(page.getByRole('region', { name: 'Five pins' })).toBeVisible();
+  await page.getByRole('button', { name: 'Delete this portrait' }).click();
+  await page.getByRole('status').getByRole('button', { name: 'Delete' }).click();
+  await expect(page.getByRole('button', { name: 'Choose a file' })).toBeVisible();
+  await expect.poll(async () => (await request.get(`/api/portraits/${id}/image`)).status()).toBe(404);
+  await page.reload();
+  await expect(page.getByRole('button', { name: 'Choose a file' })).toBeVisible();
+});
+
 /** A square RGB picture of a smooth gradient, without a face. */
 function gradientPng(side: number): Buffer {
   const rows = Array.from({ length: side }, (_, y) => [

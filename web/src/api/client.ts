@@ -28,6 +28,11 @@ export function postPortrait(picture: Blob, name: string, signal?: AbortSignal):
   return request('api/portraits', { method: 'POST', body, signal });
 }
 
+/** Everything made from the portrait goes with it, for good. */
+export async function deletePortrait(portraitId: string): Promise<void> {
+  await answered(`api/portraits/${encodeURIComponent(portraitId)}`, { method: 'DELETE' });
+}
+
 export function portraitImageUrl(portraitId: string): string {
   return `api/portraits/${encodeURIComponent(portraitId)}/image`;
 }

@@ -5,7 +5,7 @@ import { openProjectFile, saveProject } from '../project/files';
 import { redoStep, undoStep } from '../store/editing';
 import { nextTheme } from '../store/looking';
 import { report } from '../store/notices';
-import { closePortrait, rename } from '../store/opening';
+import { closePortrait, offerDeletion, rename } from '../store/opening';
 import { canRedo, canUndo, documentName, scene, session, shortcutsShown, theme } from '../store/state';
 import { Button, IconButton } from './Button';
 import type { IconName } from './icons';
@@ -38,6 +38,7 @@ export function TopBar(): JSX.Element {
       </Button>
       {isOpen && (
         <>
+          <IconButton icon="trash" label="Delete this portrait" onClick={offerDeletion} />
           <Button disabled={!scene.value} onClick={() => saveProject().catch(report)}>
             Save
           </Button>

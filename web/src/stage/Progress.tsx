@@ -54,8 +54,10 @@ function stageText(state: JobState): string {
   return state.n_paths > 0 ? `${sentence(state.stage)} · ${state.n_paths} paths` : sentence(state.stage);
 }
 
-function timeText({ elapsed_seconds: elapsed, remaining_seconds: remaining }: JobState): string {
-  return remaining === null ? duration(elapsed) : `${duration(elapsed)} · about ${duration(remaining)} left`;
+function timeText({ phase, elapsed_seconds: elapsed, remaining_seconds: remaining, estimate_s: estimate }: JobState): string {
+  const left = remaining ?? estimate ?? null;
+  const known = [phase === 'queued' ? [] : duration(elapsed), left === null ? [] : `about ${duration(left)} left`].flat();
+  return [...known, 'goes on when this tab is closed'].join(' · ');
 }
 
 /** "8 s", "1 min 20 s". */

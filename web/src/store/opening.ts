@@ -1,5 +1,5 @@
 /** Actions that bring a portrait onto the stage: picture, faces, landmarks, job. */
-import { getFaces, getPortraitImage, postPortrait } from '../api/client';
+import { deletePortrait, getFaces, getPortraitImage, postPortrait, RequestError } from '../api/client';
 import type { Face, Landmarks, Portrait } from '../api/schema';
 import { editOf, withLandmarks } from './edit';
 import { apply } from './editing';
@@ -31,6 +31,28 @@ export async function openPicture(picture: Blob, name: string): Promise<void> {
 export function closePortrait(): void {
   startOpening();
   session.value = { kind: 'welcome' };
+}
+
+/** Asks before it deletes: unlike everything else here, this cannot be undone. */
+export function offerDeletion(): void {
+  const open = portrait.value;
+  if (!open) return;
+  tell({
+    kind: 'advice',
+    text: `Delete “${edit.value.name}” for good, here and on the server?`,
+    action: { label: 'Delete', run: () => void deleteForGood(open.id) },
+  });
+}
+
+async function deleteForGood(portraitId: string | null): Promise<void> {
+  closePortrait();
+  try {
+    if (portraitId) await deletePortrait(portraitId);
+    announce('Deleted');
+  } catch (error) {
+    if (error instanceof RequestError && error.code === 'not_found') return;
+    report(error, { label: 'Delete it on the server', run: () => void deleteForGood(portraitId) });
+  }
 }
 
 /** One of several faces was picked. */
