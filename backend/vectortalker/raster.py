@@ -98,7 +98,7 @@ class _Loss(torch.autograd.Function):
     ) -> Tensor:
         height, width = target.shape[:2]
         arrays = _arrays(points, stops, axis, paint, (height, width))
-        checkpoints = [(len(points), _array(target), _array(weight))]
+        checkpoints = [(len(points), core.Target(_array(target), _array(weight)))]
         found = core.loss_and_gradients(
             *arrays, checkpoints, paint.subrows, paint.threads, importance=False, quantise=paint.quantise
         )

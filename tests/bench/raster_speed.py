@@ -42,7 +42,7 @@ def measure(n: int, side: int, threads: int, **options: int | bool) -> tuple[flo
     arguments = scene(n, side)
     rng = np.random.default_rng(1)
     target = rng.uniform(size=(side, side, 3)).astype(np.float32)
-    checkpoints = [(n, target, np.ones((side, side), np.float32))]
+    checkpoints = [(n, core.Target(target, np.ones((side, side), np.float32)))]
     cpu, wall = [], []
     for _ in range(REPEATS):
         user, start = resource.getrusage(resource.RUSAGE_SELF).ru_utime, time.perf_counter()

@@ -8,6 +8,7 @@ import vectortalker_core as core
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float32]
+Checkpoints = list[tuple[int, Floats, Floats]]  # paths below, target [H, W, 3], weight [H, W]
 
 
 @dataclass(frozen=True)
@@ -40,6 +41,11 @@ class Scene:
 
 def paint(scene: Scene, width: int, height: int, **options: Any) -> Floats:
     return core.rasterize(**scene.arguments(), width=width, height=height, **options)
+
+
+def placed(checkpoints: Checkpoints) -> list[tuple[int, core.Target]]:
+    """Checkpoints as the core takes them."""
+    return [(below, core.Target(target, weight)) for below, target, weight in checkpoints]
 
 
 def polygon(*corners: tuple[float, float]) -> Floats:

@@ -57,8 +57,9 @@ def test_area_is_kept_when_a_shape_moves_by_fractions() -> None:
 
 def test_circle_of_cubics_has_the_area_of_its_curve() -> None:
     got = (1 - paint(solid(ring(32, 32, 20)), 64, 64)[..., 0]).sum()
-    # Chords at most 0.05 px inside the arc lie 2/3 of that inside on the mean: 2·(2/3·0.05)/20 of the area.
-    assert got == pytest.approx(np.pi * 400, rel=2 * (2 / 3 * 0.05) / 20)
+    # Chords within 0.05 px of the arc lie 2/3 of that inside it, 2·(2/3·0.05)/20 of the area; all but those at the
+    # anchors, a quarter at most, are moved out.
+    assert got == pytest.approx(np.pi * 400, rel=2 * (2 / 3 * 0.05) / 20 / 4)
 
 
 def ring(x: float, y: float, radius: float) -> np.ndarray:

@@ -8,10 +8,9 @@ import torch
 import vectortalker_core as core
 
 from tests.raster import twin
-from tests.raster.scenes import Scene, blobs, noise, paint, polygon, solid
+from tests.raster.scenes import Checkpoints, Scene, blobs, noise, paint, placed, polygon, solid
 
 WIDTH, HEIGHT = 37, 29
-Checkpoints = list[tuple[int, np.ndarray, np.ndarray]]
 
 
 def differentiate(scene: Scene, checkpoints: Checkpoints, **options: object) -> dict[str, np.ndarray]:
@@ -19,7 +18,7 @@ def differentiate(scene: Scene, checkpoints: Checkpoints, **options: object) -> 
     return dict(
         zip(
             names,
-            core.loss_and_gradients(**scene.arguments(), checkpoints=checkpoints, **options),
+            core.loss_and_gradients(**scene.arguments(), checkpoints=placed(checkpoints), **options),
             strict=True,
         )
     )

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from tests.raster.scenes import blobs, noise
+from tests.raster.scenes import blobs, noise, placed
 
 REFUSED = {
     "nan": ({"points": np.full((2, 6, 2), np.nan, np.float32)}, "points holds NaN"),
@@ -66,7 +66,7 @@ def test_refusal_names_value_and_limit(name: str) -> None:
 def test_checkpoint_refusal_names_value_and_limit(checkpoints: list[Any], message: str) -> None:
     scene = blobs(0, 2, 16, 16, (3, 6), segments=2)
     with pytest.raises(ValueError, match=message):
-        core.loss_and_gradients(**scene.arguments(), checkpoints=checkpoints)
+        core.loss_and_gradients(**scene.arguments(), checkpoints=placed(checkpoints))
 
 
 def test_no_paths_leave_the_canvas() -> None:
@@ -101,7 +101,9 @@ def test_wild_scenes_give_finite_numbers(points: Any, axis: Any, size: tuple[int
     }
     target, weight = noise(0, *size)
     try:
-        found = core.loss_and_gradients(**scene, checkpoints=[(3, target, weight)], subrows=subrows, importance=True)
+        found = core.loss_and_gradients(
+            **scene, checkpoints=placed([(3, target, weight)]), subrows=subrows, importance=True
+        )
     except ValueError as error:
         assert "within ±65536" in str(error)  # the only limit that these scenes break
         return

@@ -56,7 +56,9 @@ def flatten(ring: Tensor) -> Tensor:
         p3 = segments[(j + 1) % len(segments)][0]
         n = n_chords(torch.stack([p0, p1, p2, p3]).detach())
         t = (torch.arange(n, dtype=torch.float64) / n)[:, None]
-        vertices.append((1 - t) ** 3 * p0 + 3 * (1 - t) ** 2 * t * p1 + 3 * (1 - t) * t**2 * p2 + t**3 * p3)
+        curve = (1 - t) ** 3 * p0 + 3 * (1 - t) ** 2 * t * p1 + 3 * (1 - t) * t**2 * p2 + t**3 * p3
+        acceleration = 6 * ((1 - t) * (p0 - 2 * p1 + p2) + t * (p1 - 2 * p2 + p3))
+        vertices.append(torch.where(t > 0, curve - acceleration / (12 * n * n), curve))  # as much area as the cubic
     return torch.cat(vertices)
 
 

@@ -89,6 +89,12 @@ Floats = NDArray[np.float32]
 Flags = NDArray[np.bool_] | NDArray[np.uint8]
 Gradients = tuple[NDArray[np.float64], Floats, Floats, Floats, Floats, NDArray[np.float64] | None]
 
+class Target:
+    """A picture to compare with, laid out once for all passes: `Σ weight·|C − target|² / 3HW`."""
+
+    def __init__(self, target: Floats, weight: Floats) -> None:
+        """`target` [H, W, 3], `weight` [H, W]. Raises ValueError when they do not fit or are not finite."""
+
 def rasterize(
     points: Floats,
     stops: Floats,
@@ -102,13 +108,15 @@ def rasterize(
     subrows: int = 1,
     threads: int = 0,
     quantise: bool = False,
+    flatness: float = 0.05,
 ) -> Floats:
     """Picture [H, W, 3] of paths in painter's order.
 
     `points` [n, 3S, 2] pixels; `stops` [n, 2, 4] RGBA in [0, 1], unpremultiplied; `axis` [n, 4] x1, y1, x2, y2;
     `gradient` [n]: linear fill, else the first stop alone; `clip` [n]: mask of `clips` [k, H, W] multiplying opacity,
     −1 for none; `canvas` [3]. `subrows` 1, 2 or 4: over how many rows of a pixel the nonzero rule is resolved.
-    `quantise`: round to 8 bits after every blend. `threads` 0: all cores. Raises ValueError naming value and limit.
+    `flatness` (0.001 to 1): px that a chord may stray from its cubic. `quantise`: round to 8 bits after every blend.
+    `threads` 0: all cores. Raises ValueError naming value and limit.
     """
 
 def loss_and_gradients(
@@ -119,17 +127,17 @@ def loss_and_gradients(
     clip: NDArray[np.int32],
     clips: Floats,
     canvas: Floats,
-    checkpoints: Sequence[tuple[int, Floats, Floats]],
+    checkpoints: Sequence[tuple[int, Target]],
     subrows: int = 1,
     threads: int = 0,
     importance: bool = False,
     quantise: bool = False,
     picture: bool = True,
+    flatness: float = 0.05,
 ) -> Gradients:
     """Losses [k], picture, gradients of their sum by points, stops and axis, and (if asked for) importance [n].
 
-    A checkpoint (paths below, target [H, W, 3], weight [H, W]) compares the picture of the lowest paths with a target:
-    `Σ weight·|C − target|² / 3HW`. Checkpoints ascend by paths below. Importance is the exact rise of the summed loss
+    A checkpoint (paths below, target) compares the picture of the lowest paths with a target. Checkpoints ascend by paths below. Importance is the exact rise of the summed loss
     if the path were removed. Without `picture` the picture is [0, 0, 3]. Gradients pass straight through the rounding of `quantise`.
     """
 
@@ -145,6 +153,7 @@ def gradients(
     subrows: int = 1,
     threads: int = 0,
     quantise: bool = False,
+    flatness: float = 0.05,
 ) -> Gradients:
     """As `loss_and_gradients` for any loss, given its gradient `grad_image` [H, W, 3] by the picture; no losses."""
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
+import vectortalker_core as core
 from numpy.typing import NDArray
 
 BACK, FORE, FIRST_LOCAL = 0, 1, 2  # group of a path; local paths have group FIRST_LOCAL + part
@@ -27,6 +29,11 @@ class Sheet:
     owner: NDArray[np.int64]
     quota: float = 0.0
     most_radius: float = np.inf
+
+    @cached_property
+    def goal(self) -> core.Target:
+        """`target` and `weight` as the rasteriser reads them in every pass."""
+        return core.Target(np.ascontiguousarray(self.target), self.weight)
 
 
 @dataclass(frozen=True)
@@ -55,6 +62,11 @@ class Completion:
     target: NDArray[np.float32]
     extent: NDArray[np.float32]
     weight: NDArray[np.float32]
+
+    @cached_property
+    def goal(self) -> core.Target:
+        """`target` and `weight` as the rasteriser reads them in every pass."""
+        return core.Target(self.target, self.weight)
 
 
 @dataclass(frozen=True)

@@ -43,7 +43,7 @@ def evaluate(population: Population, level: Level, fidelity: Fidelity, importanc
 
     L_local is the merged error within the openings, whose weight is raised there.
     """
-    checkpoints = [(population.below(sheet.below), sheet.target, sheet.weight) for sheet in level.sheets]
+    checkpoints = [(population.below(sheet.below), sheet.goal) for sheet in level.sheets]
     losses, _, grad_points, grad_stops, grad_axis, gains = core.loss_and_gradients(
         population.points,
         population.stops,
@@ -88,7 +88,7 @@ def detach_fore(
         np.full(fore.stop - fore.start, -1, np.int32),
         np.zeros((0, height, width), np.float32),
         screen,
-        [(fore.stop - fore.start, target, weight)],
+        [(fore.stop - fore.start, core.Target(target, weight))],
         threads=threads,
         picture=False,
     )
@@ -113,7 +113,7 @@ def complete_local(
     local = slice(population.below(FIRST_LOCAL), len(population))
     count = local.stop - local.start
     corner = np.array([completion.left, completion.top], np.float32)
-    share = times * completion.weight.size / (frame[0] * frame[1])
+    share = np.float32(times * completion.weight.size / (frame[0] * frame[1]))
     _, _, grad_points, grad_stops, grad_axis, _ = core.loss_and_gradients(
         population.points[local] - corner,
         population.stops[local],
@@ -122,13 +122,13 @@ def complete_local(
         np.zeros(count, np.int32),
         completion.extent[None],
         completion.target.mean(axis=(0, 1)),
-        [(count, completion.target, completion.weight * np.float32(share))],
+        [(count, completion.goal)],
         threads=threads,
         picture=False,
     )
-    gradients["points"][local] += grad_points
-    gradients["stops"][local] += grad_stops
-    gradients["axis"][local] += grad_axis
+    gradients["points"][local] += grad_points * share
+    gradients["stops"][local] += grad_stops * share
+    gradients["axis"][local] += grad_axis * share
 
 
 def picture_below(population: Population, level: Level, group: int, fidelity: Fidelity) -> NDArray[np.float32]:

@@ -6,9 +6,10 @@ use arrays::{Flags, Scene, array, flat, refused, shape};
 use numpy::{IntoPyArray, Ix2, PyArray, PyArray1, PyArray3, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use raster::{Checkpoint, Extras, Frame, Gradients, Objective, Paths};
+use raster::{Checkpoint, Extras, Frame, Gradients, Objective, Paths, Target};
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<PyTarget>()?;
     module.add_function(wrap_pyfunction!(rasterize, module)?)?;
     module.add_function(wrap_pyfunction!(loss_and_gradients, module)?)?;
     module.add_function(wrap_pyfunction!(gradients, module)?)?;
@@ -18,7 +19,7 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
 
 /// Paint paths over a canvas: f32 `[H, W, 3]`.
 #[pyfunction]
-#[pyo3(signature = (points, stops, axis, gradient, clip, clips, canvas, width, height, subrows=1, threads=0, quantise=false))]
+#[pyo3(signature = (points, stops, axis, gradient, clip, clips, canvas, width, height, subrows=1, threads=0, quantise=false, flatness=raster::FLATNESS))]
 #[allow(clippy::too_many_arguments)] // one flat array each: the border's rule
 fn rasterize<'py>(
     py: Python<'py>,
@@ -34,15 +35,31 @@ fn rasterize<'py>(
     subrows: usize,
     threads: usize,
     quantise: bool,
+    flatness: f32,
 ) -> PyResult<Bound<'py, PyArray3<f32>>> {
     let gradient = gradient.values();
-    let scene = Scene { points, stops, axis, gradient, clip, clips, canvas, width, height, subrows, quantise };
+    let scene =
+        Scene { points, stops, axis, gradient, clip, clips, canvas, width, height, subrows, flatness, quantise };
     let (paths, frame) = (scene.paths()?, scene.frame()?);
     let image = py.detach(|| raster::rasterize(&paths, &frame, threads)).map_err(refused)?;
     array(py, image, [height, width, 3])
 }
 
-type CheckpointArrays<'py> = (usize, PyReadonlyArray3<'py, f32>, PyReadonlyArray2<'py, f32>);
+/// A target picture and its weights, laid out once for all passes that compare with it.
+#[pyclass(name = "Target", frozen)]
+struct PyTarget(Target);
+
+#[pymethods]
+impl PyTarget {
+    #[new]
+    fn new(target: PyReadonlyArray3<'_, f32>, weight: PyReadonlyArray2<'_, f32>) -> PyResult<Self> {
+        let [height, width, _] = shape("target", &target, [None, None, Some(3)])?;
+        shape("weight", &weight, [Some(height), Some(width)])?;
+        let target = Target::new(flat("target", &target)?, flat("weight", &weight)?, width, height);
+        Ok(Self(target.map_err(refused)?))
+    }
+}
+
 type GradientArrays<'py> = (
     Bound<'py, PyArray1<f64>>,
     Bound<'py, PyArray3<f32>>,
@@ -54,7 +71,7 @@ type GradientArrays<'py> = (
 
 /// Losses of checkpoints `(paths below, target, weight)`, the picture (if asked for), and gradients of the summed loss.
 #[pyfunction]
-#[pyo3(signature = (points, stops, axis, gradient, clip, clips, canvas, checkpoints, subrows=1, threads=0, importance=false, quantise=false, picture=true))]
+#[pyo3(signature = (points, stops, axis, gradient, clip, clips, canvas, checkpoints, subrows=1, threads=0, importance=false, quantise=false, picture=true, flatness=raster::FLATNESS))]
 #[allow(clippy::too_many_arguments)] // one flat array each: the border's rule
 fn loss_and_gradients<'py>(
     py: Python<'py>,
@@ -65,26 +82,24 @@ fn loss_and_gradients<'py>(
     clip: PyReadonlyArray1<'py, i32>,
     clips: PyReadonlyArray3<'py, f32>,
     canvas: PyReadonlyArray1<'py, f32>,
-    checkpoints: Vec<CheckpointArrays<'py>>,
+    checkpoints: Vec<(usize, PyRef<'py, PyTarget>)>,
     subrows: usize,
     threads: usize,
     importance: bool,
     quantise: bool,
     picture: bool,
+    flatness: f32,
 ) -> PyResult<GradientArrays<'py>> {
-    let Some((_, target, _)) = checkpoints.first() else {
+    let Some((_, target)) = checkpoints.first() else {
         return Err(PyValueError::new_err("checkpoints is empty; at least one is needed."));
     };
-    let [height, width, _] = shape("target", target, [None, None, Some(3)])?;
+    let (width, height) = (target.0.width, target.0.height);
     let gradient = gradient.values();
-    let scene = Scene { points, stops, axis, gradient, clip, clips, canvas, width, height, subrows, quantise };
+    let scene =
+        Scene { points, stops, axis, gradient, clip, clips, canvas, width, height, subrows, flatness, quantise };
     let (paths, frame) = (scene.paths()?, scene.frame()?);
-    let mut targets = Vec::with_capacity(checkpoints.len());
-    for (below, target, weight) in &checkpoints {
-        shape("target", target, [Some(height), Some(width), Some(3)])?;
-        shape("weight", weight, [Some(height), Some(width)])?;
-        targets.push(Checkpoint { below: *below, target: flat("target", target)?, weight: flat("weight", weight)? });
-    }
+    let targets: Vec<_> =
+        checkpoints.iter().map(|(below, target)| Checkpoint { below: *below, target: &target.0 }).collect();
     let objective = Objective::Checkpoints(&targets);
     let extras = Extras { importance, picture };
     let found = py.detach(|| raster::differentiate(&paths, &frame, &objective, extras, threads)).map_err(refused)?;
@@ -93,7 +108,7 @@ fn loss_and_gradients<'py>(
 
 /// Gradients of any loss, given its gradient with respect to the picture, `grad_image` f32 `[H, W, 3]`.
 #[pyfunction]
-#[pyo3(signature = (points, stops, axis, gradient, clip, clips, canvas, grad_image, subrows=1, threads=0, quantise=false))]
+#[pyo3(signature = (points, stops, axis, gradient, clip, clips, canvas, grad_image, subrows=1, threads=0, quantise=false, flatness=raster::FLATNESS))]
 #[allow(clippy::too_many_arguments)] // one flat array each: the border's rule
 fn gradients<'py>(
     py: Python<'py>,
@@ -108,10 +123,12 @@ fn gradients<'py>(
     subrows: usize,
     threads: usize,
     quantise: bool,
+    flatness: f32,
 ) -> PyResult<GradientArrays<'py>> {
     let [height, width, _] = shape("grad_image", &grad_image, [None, None, Some(3)])?;
     let gradient = gradient.values();
-    let scene = Scene { points, stops, axis, gradient, clip, clips, canvas, width, height, subrows, quantise };
+    let scene =
+        Scene { points, stops, axis, gradient, clip, clips, canvas, width, height, subrows, flatness, quantise };
     let (paths, frame) = (scene.paths()?, scene.frame()?);
     let objective = Objective::Upstream(flat("grad_image", &grad_image)?);
     let extras = Extras { importance: false, picture: true };
@@ -148,7 +165,8 @@ fn overlap<'py>(
     let (stops, axis, gradient, clip) = (vec![0.0; 8 * n], vec![0.0; 4 * n], vec![false; n], vec![-1; n]);
     let paths =
         Paths { segments: controls / 3, points: ring, stops: &stops, axis: &axis, gradient: &gradient, clip: &clip };
-    let frame = Frame { width, height, canvas: [0.0; 3], clips: &[], subrows: 4, quantise: false };
+    let frame =
+        Frame { width, height, canvas: [0.0; 3], clips: &[], subrows: 4, flatness: raster::FLATNESS, quantise: false };
     let found = py.detach(|| raster::overlaps(&paths, &frame, threads)).map_err(refused)?;
     let areas = found.iter().flat_map(|o| [o.covered, o.folded, o.reversed]).collect();
     array(py, areas, [n, 3])

@@ -1,13 +1,15 @@
-//! Turns the outlines that touch a band into tiles of winding.
+//! Turns the outlines that touch a band into sparse winding: edge columns in memory, what lies between them in spans.
 
-use crate::clip::{Columns, Piece, Window, clip_path};
+use crate::bins::Bins;
+use crate::clip::{Piece, clip};
 use crate::fill::Fill;
 use crate::flatten::Chords;
-use crate::gradient::Boundary;
+use crate::lane::{Lane, ZERO, refill};
+use crate::line::Window;
+use crate::marks::Marks;
 use crate::scene::{Frame, Paths};
-use crate::shade::Place;
 use crate::transpose;
-use crate::walk::{Grid, Lane, Passage, ROWS};
+use crate::walk::{integrate, walk};
 use std::ops::Range;
 
 /// Everything that the bands of a call share.
@@ -16,32 +18,31 @@ pub struct Call<'a> {
     pub paths: &'a Paths<'a>,
     pub frame: &'a Frame<'a>,
     pub chords: &'a Chords,
+    pub bins: &'a Bins,
+}
+
+/// Columns whose windings are stored, followed by columns that repeat the last of them.
+#[derive(Debug, Clone)]
+pub struct Span {
+    pub edges: Range<usize>,
+    pub flat: Range<usize>,
+    /// Winding cells of the edge columns.
+    pub cells: Range<usize>,
+    /// Where what is stored by painted column begins.
+    pub storage: usize,
 }
 
 /// The part of a path inside the band.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Tile {
     pub path: usize,
-    columns: Columns,
+    pub spans: Range<usize>,
     pieces: Range<usize>,
-    /// Columns of the winding buffer, one more than the tile has.
-    winding: Range<usize>,
-    /// Columns of buffers that have no spare one.
-    pub storage: Range<usize>,
-    /// Columns of the mask buffer, if the path is clipped.
-    mask: Option<Range<usize>>,
+    /// Start of its columns in the masks, if the path is clipped; it has one span then.
+    pub mask: Option<usize>,
 }
 
 impl Tile {
-    /// Columns of the frame.
-    pub fn across(&self) -> Range<usize> {
-        self.columns.first..self.columns.last
-    }
-
-    pub fn place(&self, top: usize) -> Place {
-        Place { top, column: self.columns.first }
-    }
-
     pub fn fill(&self, paths: &Paths<'_>) -> Fill {
         Fill::new(self.path, paths.stops, paths.axis, paths.gradient[self.path])
     }
@@ -50,26 +51,33 @@ impl Tile {
 /// Tiles of a band in painter's order, with the buffers that they index; `S` sub-rows a pixel.
 #[derive(Debug)]
 pub struct Cover<const S: usize> {
-    pub top: usize,
+    pub window: Window,
     pub tiles: Vec<Tile>,
+    pub spans: Vec<Span>,
+    /// Differences of winding along x; windings once resolved; gradients by them in the end.
+    pub winding: Vec<[Lane; S]>,
+    /// Painted columns of all spans.
+    pub stored: usize,
     pieces: Vec<Piece>,
-    passages: Vec<Passage>,
-    /// First passage of each piece, and the end of the last one's.
-    passage_starts: Vec<usize>,
-    winding: Vec<[Lane; S]>,
-    masks: Vec<Lane>,
+    /// Clip masks of clipped tiles, column by column.
+    pub masks: Vec<Lane>,
+    marks: Marks,
+    /// Winding cell of every column of the frame, while a path is placed.
+    cells: Vec<u32>,
 }
 
 impl<const S: usize> Default for Cover<S> {
     fn default() -> Self {
         Self {
-            top: 0,
+            window: Window { top: 0, width: 0, subrows: S },
             tiles: Vec::new(),
-            pieces: Vec::new(),
-            passages: Vec::new(),
-            passage_starts: Vec::new(),
+            spans: Vec::new(),
             winding: Vec::new(),
+            stored: 0,
+            pieces: Vec::new(),
             masks: Vec::new(),
+            marks: Marks::default(),
+            cells: Vec::new(),
         }
     }
 }
@@ -77,81 +85,86 @@ impl<const S: usize> Default for Cover<S> {
 impl<const S: usize> Cover<S> {
     /// Clips and walks all paths of the band at row `top`.
     pub fn fill(&mut self, call: &Call<'_>, top: usize) {
-        self.top = top;
-        self.place_tiles(call);
-        self.walk_tiles();
-    }
-
-    /// Columns of storage that all tiles take.
-    pub fn stored(&self) -> usize {
-        self.tiles.last().map_or(0, |tile| tile.storage.end)
-    }
-
-    /// Winding columns of a tile, without the spare one, and its mask.
-    pub fn columns(&mut self, tile: usize) -> (&mut [[Lane; S]], Option<&[Lane]>) {
-        let tile = &self.tiles[tile];
-        let winding = &mut self.winding[tile.winding.start..tile.winding.end - 1];
-        (winding, tile.mask.clone().map(|mask| &self.masks[mask]))
-    }
-
-    /// A tile's pieces, once its windings are gradients.
-    pub fn boundary(&self, tile: &Tile) -> Boundary<'_> {
-        Boundary {
-            pieces: &self.pieces[tile.pieces.clone()],
-            starts: &self.passage_starts[tile.pieces.start..=tile.pieces.end],
-            passages: &self.passages,
-            grad_winding: self.winding.as_flattened().as_flattened(),
-        }
-    }
-
-    fn place_tiles(&mut self, call: &Call<'_>) {
+        self.window = Window { top, width: call.frame.width, subrows: S };
         self.tiles.clear();
+        self.spans.clear();
         self.pieces.clear();
         self.masks.clear();
-        let window = Window { top: self.top, width: call.frame.width, subrows: S };
-        let (mut wound, mut stored) = (0, 0);
-        for path in 0..call.paths.len() {
-            let first = self.pieces.len();
-            let Some(columns) = clip_path(call.chords, path, window, &mut self.pieces) else {
-                continue;
-            };
-            let width = columns.last - columns.first;
-            let pieces = first..self.pieces.len();
-            let (winding, storage) = (wound..wound + width + 1, stored..stored + width);
-            (wound, stored) = (winding.end, storage.end);
-            let mask = self.read_mask(call, path, columns);
-            self.tiles.push(Tile { path, columns, pieces, winding, storage, mask });
-        }
         self.winding.clear();
-        self.winding.resize(wound, [[0.0; ROWS]; S]);
-    }
-
-    /// Copies a tile's part of its path's clip mask.
-    fn read_mask(&mut self, call: &Call<'_>, path: usize, columns: Columns) -> Option<Range<usize>> {
-        let (width, pixels) = (call.frame.width, call.frame.width * call.frame.height);
-        let mask = usize::try_from(call.paths.clip[path]).ok()?;
-        let first = self.masks.len();
-        self.masks.resize(first + columns.last - columns.first, [0.0; ROWS]);
-        let image = &call.frame.clips[mask * pixels..][..pixels];
-        transpose::read(image, width, self.top, columns.first, &mut self.masks[first..]);
-        Some(first..self.masks.len())
-    }
-
-    fn walk_tiles(&mut self) {
-        self.passages.clear();
-        self.passage_starts.clear();
-        for tile in &self.tiles {
-            let mut grid = Grid {
-                cells: self.winding[tile.winding.clone()].as_flattened_mut().as_flattened_mut(),
-                base: (tile.winding.start * S * ROWS) as u32,
-                columns: tile.columns,
-                shift: S.trailing_zeros(),
-            };
-            for piece in &self.pieces[tile.pieces.clone()] {
-                self.passage_starts.push(self.passages.len());
-                grid.walk(piece, &mut self.passages);
+        self.stored = 0;
+        refill(&mut self.cells, call.frame.width + 1, 0);
+        let (mut vertices, mut path) = (call.bins.band(top), 0);
+        while let Some(vertex) = vertices.first() {
+            while call.chords.rings[path + 1] <= *vertex {
+                path += 1;
             }
+            let own = vertices.partition_point(|v| *v < call.chords.rings[path + 1]);
+            self.add_path(call, path, &vertices[..own]);
+            vertices = &vertices[own..];
         }
-        self.passage_starts.push(self.passages.len());
+    }
+
+    /// Calls `add` with every piece of a tile and its `∫G dt` and `∫G·t dt`, once windings are gradients.
+    pub fn integrate(&self, tile: &Tile, mut add: impl FnMut(&Piece, [f32; 2])) {
+        for piece in &self.pieces[tile.pieces.clone()] {
+            add(piece, integrate(piece, &self.winding[piece.cell as usize..]));
+        }
+    }
+
+    fn add_path(&mut self, call: &Call<'_>, path: usize, vertices: &[u32]) {
+        let (first_piece, first_span, first_cell) = (self.pieces.len(), self.spans.len(), self.winding.len());
+        self.marks.clear(self.window.width);
+        let beyond = clip(call.chords, vertices, self.window, &mut self.pieces, &mut self.marks);
+        if self.pieces.len() == first_piece {
+            return;
+        }
+        let mask = usize::try_from(call.paths.clip[path]).ok();
+        if mask.is_some() {
+            self.close_gaps(beyond);
+        }
+        self.add_spans(beyond);
+        self.winding.resize(self.spans.last().map_or(first_cell, |span| span.cells.end), [ZERO; S]);
+        for piece in &mut self.pieces[first_piece..] {
+            piece.cell = self.cells[piece.first as usize];
+            walk(piece, &mut self.winding[piece.cell as usize..]);
+        }
+        let mask = mask.map(|mask| self.read_mask(call, mask, self.spans[first_span].edges.clone()));
+        let (spans, pieces) = (first_span..self.spans.len(), first_piece..self.pieces.len());
+        self.tiles.push(Tile { path, spans, pieces, mask });
+    }
+
+    /// Lets the marks of a clipped path run on without gaps: its coverage changes from column to column everywhere.
+    fn close_gaps(&mut self, beyond: bool) {
+        let first = self.marks.runs().next().map_or(0, |(first, _)| first);
+        let last = self.marks.runs().last().map_or(0, |(_, end)| end - 1);
+        self.marks.insert(first, if beyond { self.window.width } else { last });
+    }
+
+    /// Turns marked runs into spans; between the last one and the right border nothing is wound, unless a chord is beyond it.
+    fn add_spans(&mut self, beyond: bool) {
+        let width = self.window.width;
+        let mut runs = self.marks.runs().peekable();
+        let mut cell = self.winding.len();
+        while let Some((first, end)) = runs.next() {
+            let next = runs.peek().map_or(if beyond { width } else { end }, |&(next, _)| next);
+            let (edges, flat) = (first..end.min(width), end.min(width)..next.min(width));
+            for (column, cell) in (first..end).zip(cell as u32..) {
+                self.cells[column] = cell;
+            }
+            let storage = self.stored;
+            self.stored += edges.len() + flat.len();
+            self.spans.push(Span { edges, flat, cells: cell..cell + end - first, storage });
+            cell += end - first;
+        }
+    }
+
+    /// Copies a path's clip mask over some columns and returns where it begins.
+    fn read_mask(&mut self, call: &Call<'_>, mask: usize, columns: Range<usize>) -> usize {
+        let pixels = call.frame.width * call.frame.height;
+        let start = self.masks.len();
+        self.masks.resize(start + columns.len(), ZERO);
+        let image = &call.frame.clips[mask * pixels..][..pixels];
+        transpose::read(image, call.frame.width, self.window.top, columns.start, &mut self.masks[start..]);
+        start
     }
 }

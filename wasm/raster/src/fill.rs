@@ -1,6 +1,6 @@
 //! Solid and two-stop linear fills, as SVG paints them: padded, unpremultiplied, interpolated in sRGB.
 
-use crate::walk::{Lane, ROWS};
+use crate::lane::{Lane, ROWS, ZERO, rows};
 
 /// Gradient of the loss by one path's fill.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -15,7 +15,7 @@ pub struct FillGradient {
 #[derive(Debug, Clone, Copy)]
 pub struct Fill {
     pub first: [f32; 4],
-    pub change: [f32; 4],
+    pub last: [f32; 4],
     /// `None`: solid.
     pub axis: Option<Axis>,
 }
@@ -37,13 +37,14 @@ impl Fill {
     /// Reads path `i` of `stops [n, 2, 4]` and `axis [n, 4]`.
     pub fn new(i: usize, stops: &[f32], axis: &[f32], gradient: bool) -> Self {
         let stop = |k: usize| std::array::from_fn(|c| stops[8 * i + 4 * k + c]);
-        let (first, last): ([f32; 4], [f32; 4]) = (stop(0), stop(1));
-        if !gradient {
-            return Self { first, change: [0.0; 4], axis: None };
-        }
         let a = &axis[4 * i..4 * i + 4];
-        let change = std::array::from_fn(|c| last[c] - first[c]);
-        Self { first, change, axis: Some(Axis::new([a[0], a[1]], [a[2] - a[0], a[3] - a[1]])) }
+        let axis = gradient.then(|| Axis::new([a[0], a[1]], [a[2] - a[0], a[3] - a[1]]));
+        Self { first: stop(0), last: stop(1), axis }
+    }
+
+    /// Unpadded positions of the pixel centres of a column, and the change from column to column; zero in a solid fill.
+    pub fn ramp(&self, top: usize, column: usize) -> (Lane, f32) {
+        self.axis.as_ref().map_or((ZERO, 0.0), |axis| axis.ramp(top, column))
     }
 }
 
@@ -57,37 +58,40 @@ impl Axis {
         Self { start, delta, direction, offset: -(start[0] * direction[0] + start[1] * direction[1]) }
     }
 
-    /// Unpadded positions of the pixel centres of a band's first column's lane, and the change from column to column.
-    pub fn ramp(&self, top: usize, column: usize) -> (Lane, f32) {
-        let x = column as f32 + 0.5;
-        let lane = std::array::from_fn(|row| {
-            let y = (top + row) as f32 + 0.5;
-            self.offset + x * self.direction[0] + y * self.direction[1]
-        });
-        (lane, self.direction[0])
+    /// Unpadded position at a point.
+    fn position(&self, x: f32, y: f32) -> f32 {
+        self.offset + x * self.direction[0] + y * self.direction[1]
+    }
+
+    /// Least and greatest unpadded position in a band's columns `first..last`.
+    pub fn range(&self, top: usize, first: usize, last: usize) -> (f32, f32) {
+        let corner = |x: usize, row: usize| self.position(x as f32 + 0.5, (top + row) as f32 + 0.5);
+        let corners =
+            [(first, 0), (first, ROWS - 1), (last - 1, 0), (last - 1, ROWS - 1)].map(|(x, row)| corner(x, row));
+        corners.into_iter().fold((f32::MAX, f32::MIN), |(low, high), s| (low.min(s), high.max(s)))
+    }
+
+    fn ramp(&self, top: usize, column: usize) -> (Lane, f32) {
+        let start = self.position(column as f32 + 0.5, top as f32 + 0.5);
+        ((rows() * self.direction[1]) + start, self.direction[0])
     }
 
     /// Gradient by the axis from moments of `e = ∂loss/∂position` over unpadded pixels.
     pub fn gradient(&self, moments: &Moments, top: usize) -> [f32; 4] {
-        let [mut e, mut ex, mut ey, mut es] = [0.0_f32; 4];
-        for row in 0..ROWS {
-            let y = (top + row) as f32 + 0.5 - self.start[1];
-            e += moments.e[row];
-            ex += moments.ex[row] - moments.e[row] * self.start[0];
-            ey += moments.e[row] * y;
-            es += moments.es[row];
-        }
         let square = self.delta[0] * self.delta[0] + self.delta[1] * self.delta[1];
         if square < LEAST_AXIS {
             return [0.0; 4];
         }
+        let y = rows() + (top as f32 + 0.5 - self.start[1]);
+        let (e, es) = (moments.e.reduce_add(), moments.es.reduce_add());
+        let (ex, ey) = ((moments.ex - moments.e * self.start[0]).reduce_add(), (moments.e * y).reduce_add());
         // position = q·δ/|δ|², q = pixel − start, δ = end − start.
         let end = [0, 1].map(|k| [ex, ey][k] / square - 2.0 * es * self.direction[k]);
         [-end[0] - e * self.direction[0], -end[1] - e * self.direction[1], end[0], end[1]]
     }
 }
 
-/// Sums of `e`, `e·x` and `e·position` over a tile's columns, x at pixel centres.
+/// Sums of `e`, `e·x` and `e·position` over columns, x at pixel centres.
 #[derive(Debug, Clone, Copy)]
 pub struct Moments {
     pub e: Lane,
@@ -96,13 +100,5 @@ pub struct Moments {
 }
 
 impl Moments {
-    pub const ZERO: Self = Self { e: [0.0; ROWS], ex: [0.0; ROWS], es: [0.0; ROWS] };
-
-    /// Adds one pixel of row `l`, at `x` and `position`.
-    #[inline(always)]
-    pub fn add(&mut self, l: usize, e: f32, x: f32, position: f32) {
-        self.e[l] += e;
-        self.ex[l] += e * x;
-        self.es[l] += e * position;
-    }
+    pub const ZERO: Self = Self { e: ZERO, ex: ZERO, es: ZERO };
 }

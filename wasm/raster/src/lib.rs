@@ -8,6 +8,7 @@
 #![allow(clippy::needless_range_loop)]
 
 mod band;
+mod bins;
 mod blend;
 mod clip;
 mod cover;
@@ -15,10 +16,14 @@ mod error;
 mod fill;
 mod flatten;
 mod gradient;
+mod lane;
+mod line;
+mod marks;
 mod saturate;
 mod scene;
 mod seam;
 mod shade;
+mod target;
 mod threads;
 mod transpose;
 mod unblend;
@@ -27,9 +32,13 @@ mod walk;
 use band::{Band, BandGradient};
 use cover::Call;
 pub use error::Error;
+use lane::ROWS;
 pub use saturate::Overlap;
 pub use scene::{Checkpoint, Frame, MAX_COORDINATE, MAX_PATHS, MAX_SEGMENTS, MAX_SIDE, Objective, Paths};
-use walk::ROWS;
+pub use target::Target;
+
+/// Below the noise of 8-bit edges, in pixels.
+pub const FLATNESS: f32 = 0.05;
 
 /// Losses, picture and gradients of one call; shapes as in [`Paths`].
 #[derive(Debug, Clone, PartialEq)]
@@ -57,7 +66,9 @@ pub struct Extras {
 pub fn rasterize(paths: &Paths<'_>, frame: &Frame<'_>, threads: usize) -> Result<Vec<f32>, Error> {
     frame.check()?;
     paths.check(frame)?;
-    let call = Call { paths, frame, chords: &flatten::flatten(paths) };
+    let chords = flatten::flatten(paths, frame.flatness);
+    let call = Call { paths, frame, chords: &chords, bins: &bins::Bins::new(&chords, frame.height) };
+    frame.check_clips()?;
     Ok(match frame.subrows {
         1 => rasterize_bands::<1>(&call, threads),
         2 => rasterize_bands::<2>(&call, threads),
@@ -83,15 +94,17 @@ pub fn differentiate(
     frame.check()?;
     paths.check(frame)?;
     objective.check(paths.len(), frame)?;
-    let call = Call { paths, frame, chords: &flatten::flatten(paths) };
+    let chords = flatten::flatten(paths, frame.flatness);
+    let call = Call { paths, frame, chords: &chords, bins: &bins::Bins::new(&chords, frame.height) };
     let found = match frame.subrows {
         1 => differentiate_bands::<1>(&call, objective, extras, threads),
         2 => differentiate_bands::<2>(&call, objective, extras, threads),
         _ => differentiate_bands::<4>(&call, objective, extras, threads),
     };
-    // A value that is not finite makes its loss so too, and the sound ones need not be searched.
-    if !found.losses.iter().all(|loss| loss.is_finite()) {
-        objective.check_values()?;
+    // A mask that is not finite makes a loss or a gradient so too, and sound ones need not be searched in every pass.
+    let sums = found.losses.iter().copied().chain(found.stops.iter().copied().map(f64::from));
+    if !sums.sum::<f64>().is_finite() {
+        frame.check_clips()?;
     }
     Ok(found)
 }
@@ -114,7 +127,7 @@ fn differentiate_bands<const S: usize>(
 
 /// Coverage of one closed chain of cubics `[3S, 2]`, `[height, width]`, resolved over 4 sub-rows a pixel.
 pub fn coverage(points: &[f32], width: usize, height: usize) -> Result<Vec<f32>, Error> {
-    let frame = Frame { width, height, canvas: [0.0; 3], clips: &[], subrows: 4, quantise: false };
+    let frame = Frame { width, height, canvas: [0.0; 3], clips: &[], subrows: 4, flatness: FLATNESS, quantise: false };
     let paths = Paths {
         segments: points.len() / 6,
         points,
@@ -131,7 +144,8 @@ pub fn coverage(points: &[f32], width: usize, height: usize) -> Result<Vec<f32>,
 pub fn overlaps(paths: &Paths<'_>, frame: &Frame<'_>, threads: usize) -> Result<Vec<Overlap>, Error> {
     frame.check()?;
     paths.check(frame)?;
-    let call = Call { paths, frame, chords: &flatten::flatten(paths) };
+    let chords = flatten::flatten(paths, frame.flatness);
+    let call = Call { paths, frame, chords: &chords, bins: &bins::Bins::new(&chords, frame.height) };
     let bands = 0..frame.height.div_ceil(ROWS);
     let parts = threads::map_ordered(threads, bands, |band: &mut Band<4>, i| band.overlaps(&call, i * ROWS));
     let mut whole = vec![Overlap::default(); paths.len()];

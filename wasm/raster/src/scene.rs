@@ -1,6 +1,7 @@
 //! Checks flat arrays once and names them: paths in painter's order and the frame that they are painted on.
 
 use crate::error::Error;
+use crate::target::Target;
 
 /// Longest side of a frame, as of a portrait; an f32 coordinate is still exact to 1/4096 px there.
 pub const MAX_SIDE: usize = 4096;
@@ -10,6 +11,8 @@ pub const MAX_PATHS: usize = 8192;
 pub const MAX_SEGMENTS: usize = 1024;
 /// Farthest control point, in pixels from the origin.
 pub const MAX_COORDINATE: f32 = 65536.0;
+/// Finest flattening, in pixels.
+pub const LEAST_FLATNESS: f32 = 1e-3;
 /// Largest colour, opacity, weight or target; keeps every sum finite in f32.
 pub const MAX_COLOUR: f32 = 1e6;
 
@@ -41,6 +44,8 @@ pub struct Frame<'a> {
     pub clips: &'a [f32],
     /// Sub-rows of a pixel (1, 2 or 4) over which `|winding|` saturates: more is closer to the nonzero rule where paths fold.
     pub subrows: usize,
+    /// Farthest that a chord may stray from its cubic, in pixels; what the fineness of outlines costs is time.
+    pub flatness: f32,
     /// Round to 8 bits after every blend, as renderers do; gradients pass straight through.
     pub quantise: bool,
 }
@@ -49,10 +54,7 @@ pub struct Frame<'a> {
 #[derive(Debug, Clone, Copy)]
 pub struct Checkpoint<'a> {
     pub below: usize,
-    /// sRGB, `[height, width, 3]`.
-    pub target: &'a [f32],
-    /// Weight of every pixel, `[height, width]`.
-    pub weight: &'a [f32],
+    pub target: &'a Target,
 }
 
 /// Where the gradient of the picture comes from.
@@ -106,19 +108,26 @@ impl Frame<'_> {
         }
         let pixels = self.width * self.height;
         length("clips", self.clips, self.clips.len().div_ceil(pixels) * pixels)?;
-        within("canvas", &self.canvas, MAX_COLOUR)?;
+        if !(LEAST_FLATNESS..=1.0).contains(&self.flatness) {
+            return Err(Error::Value { name: "flatness", got: self.flatness, limit: 1.0 });
+        }
+        within("canvas", &self.canvas, MAX_COLOUR)
+    }
+
+    /// Refuses masks whose values are not finite or beyond the limit.
+    pub fn check_clips(&self) -> Result<(), Error> {
         within("clips", self.clips, MAX_COLOUR)
     }
 }
 
 impl Objective<'_> {
-    /// Refuses targets that do not fit the frame and checkpoints out of order.
+    /// Refuses targets that do not fit the frame, checkpoints out of order and gradients that are not finite.
     pub fn check(&self, n_paths: usize, frame: &Frame<'_>) -> Result<(), Error> {
         let pixels = frame.width * frame.height;
         let checkpoints = match self {
             Self::Upstream(grad) => {
                 length("grad_image", grad, pixels * 3)?;
-                return self.check_values();
+                return within("grad_image", grad, MAX_COLOUR);
             }
             Self::Checkpoints(checkpoints) => checkpoints.iter(),
         };
@@ -128,33 +137,22 @@ impl Objective<'_> {
                 return Err(Error::Order { got: checkpoint.below, after });
             }
             after = checkpoint.below;
-            length("target", checkpoint.target, pixels * 3)?;
-            length("weight", checkpoint.weight, pixels)?;
+            size("width of a target", checkpoint.target.width, frame.width, frame.width)?;
+            size("height of a target", checkpoint.target.height, frame.height, frame.height)?;
         }
         Ok(())
     }
-
-    /// Refuses values that are not finite or beyond the limit.
-    pub fn check_values(&self) -> Result<(), Error> {
-        match self {
-            Self::Upstream(grad) => within("grad_image", grad, MAX_COLOUR),
-            Self::Checkpoints(checkpoints) => checkpoints.iter().try_for_each(|checkpoint| {
-                within("target", checkpoint.target, MAX_COLOUR)?;
-                within("weight", checkpoint.weight, MAX_COLOUR)
-            }),
-        }
-    }
 }
 
-fn size(name: &'static str, got: usize, least: usize, most: usize) -> Result<(), Error> {
+pub fn size(name: &'static str, got: usize, least: usize, most: usize) -> Result<(), Error> {
     if (least..=most).contains(&got) { Ok(()) } else { Err(Error::Size { name, got, least, most }) }
 }
 
-fn length(name: &'static str, values: &[f32], expected: usize) -> Result<(), Error> {
+pub fn length(name: &'static str, values: &[f32], expected: usize) -> Result<(), Error> {
     if values.len() == expected { Ok(()) } else { Err(Error::Length { name, got: values.len(), expected }) }
 }
 
-fn within(name: &'static str, values: &[f32], limit: f32) -> Result<(), Error> {
+pub fn within(name: &'static str, values: &[f32], limit: f32) -> Result<(), Error> {
     // A reduction without early exit is vectorised; NaN fails the comparison and is found by the search below.
     let fine = values.iter().fold(true, |fine, v| fine & (v.abs() <= limit));
     if fine {

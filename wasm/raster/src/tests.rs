@@ -33,7 +33,7 @@ impl Solid {
 }
 
 fn frame(width: usize, height: usize, subrows: usize) -> Frame<'static> {
-    Frame { width, height, canvas: [1.0; 3], clips: &[], subrows, quantise: false }
+    Frame { width, height, canvas: [1.0; 3], clips: &[], subrows, flatness: FLATNESS, quantise: false }
 }
 
 /// A polygon as straight cubics, handles at the thirds.
@@ -75,7 +75,8 @@ proptest! {
         solid.gradient = vec![gradient; 2];
         solid.axis.copy_from_slice(&points[..8]);
         let (target, weight) = (vec![0.5; width * height * 3], vec![1.0; width * height]);
-        let objective = [Checkpoint { below: 2, target: &target, weight: &weight }];
+        let target = Target::new(&target, &weight, width, height).unwrap();
+        let objective = [Checkpoint { below: 2, target: &target }];
         let frame = frame(width, height, subrows);
         let extras = Extras { importance: true, picture: true };
         let found = differentiate(&solid.paths(), &frame, &Objective::Checkpoints(&objective), extras, 1).unwrap();

@@ -1,98 +1,90 @@
-//! Walks the pieces of a path cell by cell and adds their exact signed areas.
-//!
-//! A band is [`ROWS`] pixel rows of the frame. Inside it everything is stored by column: a *lane* holds the `ROWS` pixels of
-//! one column, so that running sums along x and all blending are plain vector operations without tails. Winding cells have a
-//! lane for every sub-row of a column.
+//! Adds the exact signed areas of a chord to the cells that it crosses, all rows of a band at a time.
 
-use crate::clip::{Columns, Piece};
+use crate::clip::Piece;
+use crate::lane::{Lane, ZERO, cut, least, most, rows};
 
-/// Pixel rows of a band: one 512-bit or two 256-bit vectors.
-pub const ROWS: usize = 16;
+/// Sub-rows; a chord of less height changes no winding that could be told from rounding.
+const LEAST_HEIGHT: f32 = 1e-6;
 
-/// One value for each of a column's pixels in a band.
-pub type Lane = [f32; ROWS];
-
-/// A passage of a piece through one cell, ending at parameter `end` of the piece; it starts where the one before ended.
-#[derive(Debug, Clone, Copy)]
-pub struct Passage {
-    /// Index of the cell among the winding cells of the band.
-    pub cell: u32,
-    pub end: f32,
-}
-
-/// Winding cells of one tile: `(columns + 1) · subrows` lanes, starting at cell `base` of the band.
-#[derive(Debug)]
-pub struct Grid<'a> {
-    /// Signed area differences along x; their running sum is the average winding.
-    pub cells: &'a mut [f32],
-    pub base: u32,
-    pub columns: Columns,
-    /// Binary logarithm of the number of sub-rows.
-    pub shift: u32,
-}
-
-impl Grid<'_> {
-    /// Walks a piece through the cells that it crosses, adds its areas and notes its passages.
-    ///
-    /// A passage spanning `d` rows at mean distance `m` from its cell's left side covers `d·(1 − m)` of the cell and all `d`
-    /// of the cells to the right of it, hence `d·m` more from the next cell on.
-    pub fn walk(&mut self, p: &Piece, passages: &mut Vec<Passage>) {
-        let (right, bottom) = ((self.columns.last - self.columns.first) as i32 - 1, ((ROWS as i32) << self.shift) - 1);
-        let x = p.x - self.columns.first as f32;
-        let (mut across, mut down) = (Axis::new(x, p.dx), Axis::new(p.y, p.dy));
-        let next_column = ROWS << self.shift;
-        let mut start = 0.0_f32;
-        passages.extend((0..=across.crossings + down.crossings).rev().map(|remaining| {
-            let end = if remaining == 0 { 1.0 } else { across.next.min(down.next).clamp(start, 1.0) };
-            let (column, row) = (across.cell.clamp(0, right), down.cell.clamp(0, bottom) as usize);
-            let subrow = row & ((1 << self.shift) - 1);
-            let cell = (((column as usize) << self.shift) + subrow) * ROWS + (row >> self.shift);
-            let d = (end - start) * p.dy;
-            let m = (x + 0.5 * (start + end) * p.dx - column as f32).clamp(0.0, 1.0);
-            self.cells[cell] += d - d * m;
-            self.cells[cell + next_column] += d * m;
-            start = end;
-            let sideways = across.next <= down.next;
-            across.advance(sideways);
-            down.advance(!sideways);
-            Passage { cell: self.base + cell as u32, end }
-        }));
+/// Adds differences of winding along x to `cells`, one column after the other from the piece's first on, and one more.
+///
+/// A passage through a cell over height `d` at mean distance `m` from its left side covers `d·(1 − m)` of the cell and all `d`
+/// of the cells to the right of it, hence `d·m` more from the next cell on.
+pub fn walk<const S: usize>(piece: &Piece, cells: &mut [[Lane; S]]) {
+    let line = &piece.line;
+    let (low, high, dy) = (line.low(), line.high(), line.end - line.y);
+    if high - low < LEAST_HEIGHT {
+        return;
     }
-}
+    let (slope, inverse) = (dy / line.dx, Lane::splat(line.dx / dy));
+    let downward = if line.along == (dy > 0.0) { Lane::ONE } else { -Lane::ONE };
+    let rows = subrows::<S>().map(|[top, bottom]| [top, bottom].map(|y| y.fast_clamp(low.into(), high.into())));
+    let height = |[top, bottom]: [Lane; 2], from: f32, to: f32| {
+        let (first, last) = (top.fast_max(Lane::splat(least(from, to))), bottom.fast_min(Lane::splat(most(from, to))));
+        (((last - first).fast_max(ZERO)) * downward, first + last)
+    };
+    let crossing = |x: u32| cut(line.y + (x as i32 as f32 - line.x) * slope, low, high);
 
-/// Grid lines of one axis that a piece crosses, one after the other.
-struct Axis {
-    cell: i32,
-    step: i32,
-    /// Crossings left at the start.
-    crossings: u32,
-    /// Parameter of the next crossing.
-    next: f32,
-    /// Parameter from one crossing to the next.
-    pitch: f32,
-}
-
-/// A piece advancing less than this along an axis crosses at most one grid line there, at its very end.
-const STANDSTILL: f32 = 1e-6;
-
-impl Axis {
-    fn new(origin: f32, delta: f32) -> Self {
-        if delta.abs() < STANDSTILL {
-            return Self { cell: origin.floor() as i32, step: 0, crossings: 0, next: f32::INFINITY, pitch: 0.0 };
+    let mut enter = line.y;
+    if piece.left {
+        let border = if piece.columns() == 0 { line.end } else { crossing(0) };
+        for s in 0..S {
+            cells[0][s] += height(rows[s], enter, border).0;
         }
-        // Seen along the direction of travel: an origin on a grid line belongs to the cell ahead, an end to the cell behind.
-        let sign = delta.signum();
-        let (from, to) = (sign * origin, sign * (origin + delta));
-        let ahead = from.floor();
-        let crossings = (to.ceil() - 1.0 - ahead).max(0.0) as u32;
-        let pitch = 1.0 / delta.abs();
-        let cell = if delta > 0.0 { ahead as i32 } else { -(ahead as i32) - 1 };
-        Self { cell, step: sign as i32, crossings, next: (ahead + 1.0 - from) * pitch, pitch }
+        enter = border;
     }
+    let mut carried = [ZERO; S];
+    let (cells, beyond) = cells.split_at_mut(piece.columns());
+    for (column, cell) in (piece.first..).zip(cells) {
+        let leave = if column + 1 < piece.last || piece.right { crossing(column + 1) } else { line.end };
+        let offset = Lane::splat(line.x - column as i32 as f32);
+        for s in 0..S {
+            let (d, sum) = height(rows[s], enter, leave);
+            let m = ((sum * 0.5 - line.y).mul_add(inverse, offset)).fast_min(Lane::ONE).fast_max(ZERO);
+            let dm = d * m;
+            cell[s] += (d - dm) + carried[s];
+            carried[s] = dm;
+        }
+        enter = leave;
+    }
+    for s in 0..S {
+        beyond[0][s] += carried[s];
+    }
+}
 
-    /// Branches here would be mispredicted at every other cell.
-    fn advance(&mut self, crossed: bool) {
-        self.cell += self.step * i32::from(crossed);
-        self.next += if crossed { self.pitch } else { 0.0 };
+/// `∫G dt` and `∫G·t dt` along a chord inside the canvas, `G = ∂loss/∂winding` of the cells from the piece's first on.
+pub fn integrate<const S: usize>(piece: &Piece, grad_winding: &[[Lane; S]]) -> [f32; 2] {
+    let line = &piece.line;
+    let steepness = 1.0 / (line.end - line.y);
+    // A horizontal chord is all in the row below it: any finite steepness that is large enough puts it there.
+    let steepness = if steepness.abs() < 1.0 / LEAST_HEIGHT { steepness } else { steepness.signum() / LEAST_HEIGHT };
+    let passages = subrows::<S>().map(|sides| {
+        let [a, b] = sides.map(|y| ((y - line.y) * steepness).fast_clamp(ZERO, Lane::ONE));
+        [a.fast_min(b), a.fast_max(b)]
+    });
+    let slope = 1.0 / line.dx;
+    let crossing = |x: u32| cut((x as i32 as f32 - line.x) * slope, 0.0, 1.0);
+
+    let mut enter = if piece.left { crossing(0) } else { 0.0 };
+    let (mut whole, mut first) = (ZERO, ZERO);
+    for (column, grad) in (piece.first..piece.last).zip(grad_winding) {
+        let leave = if column + 1 < piece.last || piece.right { crossing(column + 1) } else { 1.0 };
+        for s in 0..S {
+            let (a, b) = (passages[s][0].fast_max(enter.into()), passages[s][1].fast_min(leave.into()));
+            let share = grad[s] * (b - a).fast_max(ZERO);
+            whole += share;
+            first = share.mul_add(a + b, first);
+        }
+        enter = leave;
     }
+    let (whole, first) = (whole.reduce_add(), 0.5 * first.reduce_add());
+    [whole, if line.along { first } else { whole - first }]
+}
+
+/// Upper and lower sides of every sub-row, in sub-rows of which a pixel has `S`.
+fn subrows<const S: usize>() -> [[Lane; 2]; S] {
+    std::array::from_fn(|s| {
+        let top = rows() * S as f32 + s as f32;
+        [top, top + 1.0]
+    })
 }

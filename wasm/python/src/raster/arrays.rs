@@ -21,6 +21,7 @@ pub struct Scene<'py> {
     pub width: usize,
     pub height: usize,
     pub subrows: usize,
+    pub flatness: f32,
     pub quantise: bool,
 }
 
@@ -57,7 +58,8 @@ impl Scene<'_> {
         shape("canvas", &self.canvas, [Some(3)])?;
         let c = flat("canvas", &self.canvas)?;
         let clips = flat("clips", &self.clips)?;
-        Ok(Frame { width, height, canvas: [c[0], c[1], c[2]], clips, subrows: self.subrows, quantise: self.quantise })
+        let (subrows, flatness, quantise) = (self.subrows, self.flatness, self.quantise);
+        Ok(Frame { width, height, canvas: [c[0], c[1], c[2]], clips, subrows, flatness, quantise })
     }
 }
 
