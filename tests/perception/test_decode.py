@@ -126,6 +126,15 @@ def test_hard_files_give_a_portrait_or_one_message(shared_data: Path) -> None:
     assert refused == REFUSED
 
 
+def test_animation_cut_at_a_frame_is_refused() -> None:
+    file = io.BytesIO()
+    frames = [Image.new("RGB", (20, 20), colour) for colour in ("red", "blue")]
+    frames[0].save(file, "GIF", save_all=True, append_images=frames[1:])
+    cut = file.getvalue()[: file.getvalue().rindex(b"!\xf9") + 1]
+    with pytest.raises(VectorTalkerError, match="damaged"):
+        decode(cut, "cut.gif")
+
+
 def test_name_that_is_no_text_is_shown_without_its_bytes() -> None:
     """As Python reads a file name with bytes that are no UTF-8."""
     file = io.BytesIO()
