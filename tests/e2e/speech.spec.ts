@@ -185,11 +185,19 @@ test('words of a part, manner, and files of other programs', async ({ page }) =>
     const saved = await readFile(await (await download).path());
     await giveFile(page, page.getByRole('button', { name: 'Open', exact: true }), 'again.vtalk', saved);
     await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
-    await expect(page.getByText('speech-syllables.wav')).toBeVisible();
+    await expect(page.getByText('syllables.wav')).toBeVisible();
     await expect(page.getByText('3.0 s', { exact: true })).toBeVisible();
   });
 
   await test.step('axe finds nothing', () => expectNoViolations(page));
+});
+
+test('a file that is no sound is refused in one sentence, and the track stays', async ({ page }) => {
+  await openPortrait(page);
+  await giveFile(page, page.getByRole('button', { name: 'Choose a sound…' }), 'notes.mp3', Buffer.from('not a sound'));
+  await expect(page.getByRole('alert')).toContainText('notes.mp3 is no sound that this browser can play');
+  await expect(page.getByRole('combobox', { name: 'Track', exact: true })).toHaveValue(/Nod/);
+  await expect(page.getByRole('button', { name: 'Choose a sound…' })).toBeEnabled();
 });
 
 test('the microphone is recorded and spoken', async ({ page }) => {

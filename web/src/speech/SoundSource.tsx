@@ -56,7 +56,7 @@ function FromFile({ disabled }: { readonly disabled: boolean }): JSX.Element {
     return (
       <div class="sound-chosen">
         <span>
-          <strong>{spoken.name}</strong>
+          <strong>{spoken.name.replace(/^speech-/, '')}</strong>
           <span class="quiet numeric">{sound.value ? ` ${sound.value.buffer.duration.toFixed(1)} s` : ''}</span>
         </span>
         <Button disabled={disabled} onClick={choose}>

@@ -11,6 +11,7 @@ import { sound } from './sound';
 import { selectedSpan } from './state';
 import { shareOf, shownSpan, timeAt } from './stripView';
 
+const QUIETEST = 0.02; // of full scale; a clip below it is shown as the silence that it is
 const LEAST_SPAN_SECONDS = 0.2; // shorter drags are clicks
 
 export function Waveform(): JSX.Element {
@@ -85,19 +86,19 @@ function spanBetween(a: number, b: number): Span | null {
   return span.end - span.start < LEAST_SPAN_SECONDS ? null : span;
 }
 
-/** One bar a device pixel, mirrored about the middle. */
+/** One bar a device pixel, mirrored about the middle; the loudest of the clip fills the height. */
 function draw(canvas: HTMLCanvasElement, width: number, { start, end }: Span): void {
   const context = canvas.getContext('2d');
   if (!context) return;
-  const scale = window.devicePixelRatio;
-  canvas.width = Math.round(width * scale);
-  canvas.height = Math.round(canvas.clientHeight * scale);
+  canvas.width = Math.round(width * window.devicePixelRatio);
+  canvas.height = Math.round(canvas.clientHeight * window.devicePixelRatio);
   const heard = sound.value;
   if (!heard) return;
   context.fillStyle = getComputedStyle(canvas).color;
   const middle = canvas.height / 2;
+  const scale = Math.max(heard.loudest, QUIETEST);
   peaksOf(heard.mono, start, end, canvas.width).forEach((peak, x) => {
-    const half = Math.max(0.5, peak * middle);
+    const half = Math.max(0.5, 0.95 * (peak / scale) * middle);
     context.fillRect(x, middle - half, 1, 2 * half);
   });
 }

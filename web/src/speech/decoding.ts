@@ -1,9 +1,9 @@
 /** A sound file becomes samples, by the browser's own decoder. */
 import { FileError } from '../store/notices';
-import type { Samples } from './envelope';
+import { peaksOf, type Samples } from './envelope';
 
-/** `mono` is the mean of the channels of `buffer`, which is what plays. */
-export type Sound = { readonly buffer: AudioBuffer; readonly mono: Samples };
+/** `mono` is the mean of the channels of `buffer`, which is what plays; `loudest` its largest magnitude. */
+export type Sound = { readonly buffer: AudioBuffer; readonly mono: Samples; readonly loudest: number };
 
 export const MAX_SECONDS = 600;
 export const MAX_BYTES = 64_000_000; // what a project file holds; 10 minutes of 16-bit mono at 48 kHz have 58 MB
@@ -16,7 +16,8 @@ export async function decodeSound(file: Blob, name: string): Promise<Sound> {
   const buffer = await decoded(await file.arrayBuffer(), name);
   if (buffer.duration > MAX_SECONDS)
     throw new FileError(`${name} lasts ${clock(buffer.duration)}; the limit is ${MAX_SECONDS / 60} minutes. Cut it and try again.`);
-  return { buffer, mono: { values: mixed(buffer), rate: buffer.sampleRate } };
+  const mono = { values: mixed(buffer), rate: buffer.sampleRate };
+  return { buffer, mono, loudest: peaksOf(mono, 0, buffer.duration, 1)[0] };
 }
 
 async function decoded(data: ArrayBuffer, name: string): Promise<AudioBuffer> {
