@@ -15,7 +15,7 @@ import httpx
 from tests.server.conftest import COMMAND, free_port
 from tests.server.redis_server import RedisServer
 
-START_SECONDS = 180  # on a machine that is busy with other work
+START_SECONDS = 600  # on a machine that is busy with other work
 SMALL = {"paths": 24, "levels": 3, "iterations": 40, "final_iterations": 40, "working_size": 96}
 
 
@@ -58,6 +58,11 @@ class Deployment:
 
     def wait_for_workers(self) -> None:
         wait(lambda: int(str(self.health().get("workers", 0))) >= 1, START_SECONDS, "a worker is ready")
+
+    def is_at_work(self) -> bool:
+        """Whether a worker is ready and a job runs."""
+        health = self.health()
+        return min(int(str(health.get("workers", 0))), int(str(health.get("running", 0)))) >= 1
 
     def worker_pids(self) -> list[int]:
         """Worker processes of all supervisors."""

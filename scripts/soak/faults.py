@@ -18,11 +18,11 @@ from pathlib import Path
 
 import httpx
 
-from scripts.soak.deployment import SMALL, START_SECONDS, Deployment
+from scripts.soak.deployment import SMALL, START_SECONDS, Deployment, wait
 from tests.server.pictures import picture
 
 KILLS = 50
-MEAN_SECONDS = 4.0  # between two kills
+MEAN_SECONDS = 1.0  # between the moment when some job runs and the kill; a job takes about as long
 WAITING = 3  # jobs that are kept in the queue while there are kills to come
 N_REQUESTS = 4  # different ones, each asked for again and again
 PATIENCE_SECONDS = 600.0  # for the last job after the last kill
@@ -126,6 +126,7 @@ def _disturbed(deployment: Deployment, kills: int, expected: list[str]) -> int:
             asked.append(job)
             threads.append(threading.Thread(target=_follow, args=(client, job)))
             threads[-1].start()
+        wait(deployment.is_at_work, START_SECONDS, "a job runs")
         time.sleep(random.expovariate(1 / MEAN_SECONDS))
         victim = _kill(deployment)
         if victim:
