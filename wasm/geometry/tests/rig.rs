@@ -256,8 +256,8 @@ fn iris_keeps_its_shape_and_full_blink_closes_exactly() {
 #[test]
 fn slanting_eyes_under_low_brows_close_fully() {
     let mut landmarks = face(0.0);
-    for brow in 17..27 {
-        landmarks[brow].y += 9.0;
+    for brow in &mut landmarks[17..27] {
+        brow.y += 9.0;
     }
     for (upper, shift) in [(37, 0.0), (38, -7.0), (43, 7.0), (44, 0.0)] {
         landmarks[upper].x += shift;

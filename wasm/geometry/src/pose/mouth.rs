@@ -54,6 +54,7 @@ pub fn articulate(points: &mut Landmarks, rest: &Landmarks, face: &Face, pose: &
     for i in 48..68 {
         let across = ((rest[i] - centre).dot(face.right) / (0.5 * width)).clamp(-1.0, 1.0);
         let (rim, bow) = (across * across, 1.0 - across * across);
+        let arch = 1.0 - across.abs().powi(3); // a lower lip hangs in a round arch, not in a point
         let lift = SMILE_UP * smile * rim;
         let lowered = match side(i) {
             Side::Corner => CORNER_SHARE * drop,
@@ -63,7 +64,8 @@ pub fn articulate(points: &mut Landmarks, rest: &Landmarks, face: &Face, pose: &
                     - ROUND_POUT * pose.value(Channel::Round) * bow
             }
             Side::Lower => {
-                drop * (CORNER_SHARE + (1.0 - CORNER_SHARE) * bow) - LOWER_RAISE * pose.value(Channel::LowerRaise) * bow
+                drop * (CORNER_SHARE + (1.0 - CORNER_SHARE) * arch)
+                    - LOWER_RAISE * pose.value(Channel::LowerRaise) * bow
                     + ROUND_POUT * pose.value(Channel::Round) * bow
             }
         };
