@@ -61,7 +61,7 @@ def mouth_interior(points: NDArray[np.float64], rgb: NDArray[np.uint8]) -> list[
         inside = core.coverage(mouth[1].astype(np.float32), rgb.shape[1], rgb.shape[0]) > 0.5
         if not inside.any():
             return []
-        return [_cavity(points, INNER_LIP_ANCHORS, OPEN_CAVITY_GROWTH, _dark_quarter(rgb, inside))]
+        return [_cavity(points, INNER_LIP_ANCHORS, OPEN_CAVITY_GROWTH, cavity_colour(rgb, inside))]
     colours = _mouth_colours(points, rgb)
     cavity = _cavity(points, OUTER_LIP_ANCHORS, 1.0, colours["mouth_cavity"])
     return [cavity, *(_band(blob, points, colours[blob.part]) for blob in TEETH_AND_TONGUE)]
@@ -126,8 +126,8 @@ def _palette(rgb: NDArray[np.uint8]) -> NDArray[np.float64] | None:
     return to_oklab(np.array([np.median(pixels[inverse == k], axis=0) for k in order[:n_needed]]) / 255)
 
 
-def _dark_quarter(rgb: NDArray[np.uint8], inside: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """Median of the darkest quarter, darkened where teeth fill the mouth."""
+def cavity_colour(rgb: NDArray[np.uint8], inside: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """OKLab behind the teeth of an open mouth: median of its darkest quarter, darkened where teeth fill it."""
     lab = to_oklab(rgb[inside] / 255)
     dark = np.median(lab[lab[:, 0] <= np.percentile(lab[:, 0], 25)], axis=0)
     return dark * min(1.0, MAX_CAVITY_LIGHTNESS / max(dark[0], 1e-6))

@@ -15,7 +15,9 @@ from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation, distance_transform_edt
 
 from vectortalker.inpaint import fill
+from vectortalker.interior import cavity_colour
 from vectortalker.landmarks.ibug import IrisDisc
+from vectortalker.oklab import to_srgb
 
 EDGE_PX = 2.5  # mixed pixels of a soft mask's edge belong to neither side
 BACK_MARGIN = 0.06  # of the face height: hair wisps and shadows beside the person are not trusted as scenery
@@ -25,6 +27,7 @@ BALL_GROWTH = 0.35  # of an opening's width: how far the eyeball and the mouth i
 IRIS_RINGS = 12
 IRIS_EDGE = 1.1  # the limbus and its blur end at this radius
 MIN_KNOWN_PX = 6
+MOUTH = 2  # index of its opening
 
 
 @dataclass(frozen=True)
@@ -58,6 +61,8 @@ def targets(
         skin[near] = _closed_over(skin[near], opening[near])
         iris = _shifted(irises[index], near) if index < len(irises) else None
         completed, grown = _completed_interior(image[near], clip[near], iris)
+        if index == MOUTH and grown.any():
+            completed = _floored(completed, clip[near] > 0.98)
         local[near] = _pasted(local[near], completed, grown)
         extent[near][grown] = 1
     margin = BACK_MARGIN * face_height if face_height else BACK_MARGIN_NO_FACE * max(fore.shape)
@@ -101,6 +106,17 @@ def _completed_interior(
     edge = ((IRIS_EDGE - radius) * iris.radius / EDGE_PX).clip(0, 1)[..., None].astype(np.float32)
     completed = (ball + edge * (disc - ball)).astype(np.float32)
     return _pasted(completed, image, core), grown
+
+
+def _floored(interior: NDArray[np.float32], core: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """The mouth with a dark cavity below its opening: what a smile shows must not go on under the lower lip."""
+    rgb = np.rint(interior * 255).astype(np.uint8)
+    dark = to_srgb(cavity_colour(rgb, core)).astype(np.float32)
+    columns = np.flatnonzero(core.any(axis=0))
+    lowest = len(core) - np.argmax(core[::-1], axis=0)
+    nearest = columns[np.abs(np.arange(core.shape[1])[:, None] - columns).argmin(axis=1)]
+    below = np.arange(len(core))[:, None] >= lowest[nearest]
+    return np.where(below[..., None], dark, interior)
 
 
 def _whole_iris(
