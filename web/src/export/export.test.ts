@@ -15,7 +15,7 @@ test('video sizes are even and keep the picture whole', () => {
 test('the standing pose is added to every frame of a baked track', () => {
   const offsets = Array.from({ length: 68 }, (): [number, number] => [0, 0.25]);
   const baked = bakedTrack({ pose: { articulators: { smile: 0.3, jaw: 0.1 }, offsets }, track: TRACK });
-  expect(baked.articulators).toEqual({ jaw: [0.1, 0.6], smile: [0.3, 0.3] });
+  expect(baked.articulators).toEqual({ neutral: [0, 0], jaw: [0.1, 0.6], smile: [0.3, 0.3] });
   expect(baked.landmarks).toEqual([offsets, offsets]);
 });
 

@@ -1,9 +1,11 @@
 /** What an export plays: the layers shown, the pose they stand in and the track on top of it. */
 import type { Landmarks, Pose, Scene, Track } from '../api/schema';
-import { N_LANDMARKS } from '../face/ibug';
 import type { Rig } from '../rig/rig';
 import { isAtRest } from '../store/edit';
-import { mixed, poseAt } from '../timeline/track';
+import { framesOf, posesOf } from '../timeline/bakedKeys';
+import { keyframesOf } from '../timeline/keyframes';
+import { mixed } from '../timeline/mixing';
+import { poseAt } from '../timeline/track';
 import type { LayerLooks } from './layerLooks';
 
 /** All that is needed to play, as plain data. */
@@ -32,13 +34,8 @@ export function frameCount({ track }: Score, fps: number): number {
   return Math.max(1, Math.round(track.duration * fps));
 }
 
-/** The track with the standing pose added to every frame, for the server, which knows tracks only. */
+/** The track with its keyframes and the standing pose in every frame, for the server, which knows frames only. */
 export function bakedTrack({ pose, track }: Pick<Performance, 'pose' | 'track'>): Track {
-  if (isAtRest(pose)) return track;
-  const count = Math.max(1, Math.round(track.duration * track.fps));
-  const poses = Array.from({ length: count }, (_, frame) => mixed(pose, poseAt(track, frame / track.fps)));
-  const names = new Set(poses.flatMap(({ articulators }) => Object.keys(articulators)));
-  const articulators = Object.fromEntries([...names].map((name) => [name, poses.map((at) => at.articulators[name] ?? 0)]));
-  const still = Array.from({ length: N_LANDMARKS }, (): [number, number] => [0, 0]);
-  return { ...track, articulators, landmarks: poses.map(({ offsets }) => offsets ?? still) };
+  if (isAtRest(pose) && keyframesOf(track).length === 0) return track;
+  return { ...track, ...framesOf(posesOf(track).map((playing) => mixed(pose, playing))) };
 }

@@ -7,6 +7,7 @@ import { historyOf } from '../store/history';
 import { announce, FileError } from '../store/notices';
 import { clearStage } from '../store/opening';
 import { clips, history, portrait, scene, session, tracedLandmarks } from '../store/state';
+import { withKeysBaked, withKeysLifted } from '../timeline/bakedKeys';
 import { pause } from '../timeline/playback';
 import { pack, unpack } from './vtalk';
 
@@ -40,7 +41,17 @@ export function projectOf(): Project {
   const { name, landmarks, pose, tracks, layers } = history.value.present;
   const source = portrait.value?.picture ? `source.${endingOf(portrait.value.picture)}` : null;
   const audio = clipsOf(history.value.present)[0]?.name ?? null;
-  return { schema_version: 1, name, scene: open, landmarks, pose, tracks: [...tracks], settings: settingsOf(layers), source, audio };
+  return {
+    schema_version: 1,
+    name,
+    scene: open,
+    landmarks,
+    pose,
+    tracks: tracks.map(withKeysBaked),
+    settings: settingsOf(layers),
+    source,
+    audio,
+  };
 }
 
 async function soundsOf(edit: Edit): Promise<Map<string, Uint8Array>> {
@@ -54,7 +65,8 @@ function editFrom({ name, landmarks, pose, tracks, settings, audio }: Project): 
     LayerName,
     LayerLook
   >;
-  return { ...plain, pose, tracks: audio ? speakingWith(audio, tracks) : tracks, layers };
+  const lifted = tracks.map(withKeysLifted);
+  return { ...plain, pose, tracks: audio ? speakingWith(audio, lifted) : lifted, layers };
 }
 
 /** Other programs name the sound of the project only: it is that of the track on the timeline. */

@@ -21,6 +21,7 @@ import {
   singlePoint,
   track,
 } from '../store/state';
+import { insertKeyframe } from '../store/tracks';
 import { rewind, seek, stepFrames, togglePlaying } from '../timeline/playback';
 
 export type Shortcut = {
@@ -103,6 +104,7 @@ export const SHORTCUT_GROUPS: readonly ShortcutGroup[] = [
       { keys: ['shift+arrowright'], shown: 'Shift →', label: 'Ten frames on', run: () => stepFrames(10) },
       { keys: ['home'], label: 'Back to the start', run: rewind },
       { keys: ['end'], label: 'To the end', run: () => seek(track.value?.duration ?? 0) },
+      { keys: ['i'], label: 'Keyframe of the pose at the playhead', run: insertKeyframe },
       { keys: ['o'], label: 'Loop', run: () => toggle(looping) },
     ],
   },

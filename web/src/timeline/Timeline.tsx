@@ -6,8 +6,10 @@ import { Button, IconButton } from '../shell/Button';
 import { SpeechStrip } from '../speech/SpeechStrip';
 import { toggle } from '../store/looking';
 import { canPose, looping, playing, timeSeconds, track } from '../store/state';
-import { useTrack } from '../store/tracks';
+import { insertKeyframe, useTrack } from '../store/tracks';
 import { demoTrack } from './demo';
+import { KeyLane } from './KeyLane';
+import { keyframesOf } from './keyframes';
 import { type Lane, lanesOf } from './lanes';
 import { rewind, seek, togglePlaying } from './playback';
 import { TrackMenu } from './TrackMenu';
@@ -27,6 +29,7 @@ export function Timeline(): JSX.Element {
         />
         <IconButton icon="reset" label="Back to the start" keys="Home" disabled={disabled} onClick={rewind} />
         <IconButton icon="loop" label="Loop" keys="O" pressed={looping.value} onClick={() => toggle(looping)} />
+        <IconButton icon="key" label="Keyframe of the pose" keys="I" disabled={!canPose.value} onClick={insertKeyframe} />
         <Clock duration={current?.duration ?? 0} />
         <TrackMenu />
       </div>
@@ -62,11 +65,13 @@ function Lanes({ disabled }: { readonly disabled: boolean }): JSX.Element | null
   return (
     <div class="lanes">
       <div class="lane-labels" aria-hidden="true">
+        {keyframesOf(current).length > 0 && <span>Keys</span>}
         {lanes.value.map(({ label }) => (
           <span key={label}>{label}</span>
         ))}
       </div>
       <div class="lane-curves">
+        <KeyLane track={current} disabled={disabled} />
         {lanes.value.map((lane) => (
           <Curve key={lane.label} lane={lane} />
         ))}

@@ -3,7 +3,8 @@ import type { Track } from '../api/schema';
 import type { Xy } from '../face/vector';
 import { demoTrack } from './demo';
 import { lanesOf } from './lanes';
-import { mixed, poseAt, posedBy } from './track';
+import { mixed } from './mixing';
+import { poseAt, posedBy } from './track';
 
 const points = (dx: number): Xy[] => Array.from({ length: 68 }, (): Xy => [dx, 2 * dx]);
 const TRACK: Track = {

@@ -1,27 +1,24 @@
 /** Reads landmark tracks and samples them: the pose of a track at an instant. */
 import type { Pose, Track } from '../api/schema';
-import { clampChannel } from '../face/channels';
 import { N_LANDMARKS } from '../face/ibug';
-import { add, type Xy } from '../face/vector';
-import { offsetsOf } from '../store/edit';
+import type { Xy } from '../face/vector';
+import { keyedPose, keyframesOf } from './keyframes';
+import { mixed } from './mixing';
 
-/** The track's pose at `timeSeconds`, linear between frames, held at both ends. Landmarks are offsets from a neutral face. */
+/** The track's pose at `timeSeconds`, its keyframes included. */
 export function poseAt(track: Track, timeSeconds: number): Pose {
+  const keyframes = keyframesOf(track);
+  const sampled = sampledPose(track, timeSeconds);
+  return keyframes.length === 0 ? sampled : mixed(sampled, keyedPose(keyframes, timeSeconds));
+}
+
+/** Its frames alone, linear between them, held at both ends. Landmarks are offsets from a neutral face. */
+export function sampledPose(track: Track, timeSeconds: number): Pose {
   const frame = timeSeconds * track.fps;
   const channels = Object.entries(track.articulators ?? {}).map(([name, values]) => [name, valueAt(values, frame)] as const);
   const articulators = Object.fromEntries(channels);
   if (!track.landmarks?.length) return { articulators, offsets: null };
   return { articulators: { neutral: 1, ...articulators }, offsets: offsetsAt(track.landmarks, frame) };
-}
-
-/** Two poses on top of each other; articulators stay within their ranges. */
-export function mixed(a: Pose, b: Pose): Pose {
-  const names = new Set([...Object.keys(a.articulators), ...Object.keys(b.articulators)]);
-  const articulators = [...names].map(
-    (name) => [name, clampChannel(name, (a.articulators[name] ?? 0) + (b.articulators[name] ?? 0))] as const,
-  );
-  const offsets = a.offsets && b.offsets ? sums(offsetsOf(a), offsetsOf(b)) : (a.offsets ?? b.offsets);
-  return { articulators: Object.fromEntries(articulators), offsets };
 }
 
 /** The pose on the stage: the set one, and the track's on top while the playhead is inside it. */
@@ -50,5 +47,3 @@ function neighbours(count: number, frame: number): readonly [number, number, num
   const before = Math.floor(within);
   return [before, Math.min(before + 1, last), within - before];
 }
-
-const sums = (a: readonly Xy[], b: readonly Xy[]): Xy[] => a.map((offset, index) => add(offset, b[index]));

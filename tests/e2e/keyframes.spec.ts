@@ -1,0 +1,45 @@
+/** Keyframes: a pose becomes part of the track, stays on the stage, plays, is saved and can be taken away. */
+import { expect, test } from '@playwright/test';
+import { pathData, settled } from './editor';
+import { portraitFile } from './portrait';
+
+test('the pose that is set becomes a keyframe at the playhead', async ({ page }) => {
+  await page.goto('/');
+  const open = async (file: string | { name: string; mimeType: string; buffer: Buffer }) => {
+    const dialog = page.waitForEvent('filechooser');
+    await page.getByRole('button', { name: 'Open', exact: true }).click();
+    await (await dialog).setFiles(file);
+  };
+  await open({ name: 'numbers.vtalk', mimeType: 'application/zip', buffer: portraitFile() });
+  const playhead = page.getByRole('slider', { name: 'Playhead' });
+  const corners = page.getByRole('spinbutton', { name: 'Corners, value' });
+  const keyframe = page.getByRole('button', { name: 'Keyframe at 0.40 seconds' });
+  await playhead.fill('0.4');
+  await page.getByRole('button', { name: 'Smile', exact: true }).click();
+  await settled(page);
+  const smiling = await pathData(page);
+
+  await test.step('I moves it into the track', async () => {
+    await page.getByRole('main', { name: 'Stage' }).press('i');
+    await expect(keyframe).toBeVisible();
+    await expect(corners).toHaveValue('0.00');
+    expect(await pathData(page)).toEqual(smiling);
+  });
+
+  await test.step('it is saved and opens again', async () => {
+    const download = page.waitForEvent('download');
+    await page.getByRole('button', { name: 'Save' }).click();
+    await open(await (await download).path());
+    await expect(keyframe).toBeVisible();
+    await keyframe.click();
+    await expect.poll(() => pathData(page)).toEqual(smiling);
+  });
+
+  await test.step('Delete takes it away, and undo brings it back', async () => {
+    await keyframe.press('Delete');
+    await expect(keyframe).toBeHidden();
+    expect(await pathData(page)).not.toEqual(smiling);
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await expect(keyframe).toBeVisible();
+  });
+});
