@@ -207,7 +207,7 @@ test('the microphone is recorded and spoken', async ({ page }) => {
   await expect
     .poll(() => page.getByRole('meter', { name: 'Loudness of the microphone' }).evaluate((bar: HTMLMeterElement) => bar.value))
     .toBeGreaterThan(0.2);
-  await page.waitForTimeout(1200);
+  await page.waitForTimeout(1200); // a beep or two of the fake microphone
   await page.getByRole('button', { name: 'Stop and use it' }).click();
   await expect(page.getByRole('combobox', { name: 'Track', exact: true })).toHaveValue(/Recording/);
   await expect(page.getByText('Lips from the sound alone.')).toBeVisible({ timeout: 60_000 });

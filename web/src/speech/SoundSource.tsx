@@ -86,7 +86,7 @@ function FromMicrophone({ disabled }: { readonly disabled: boolean }): JSX.Eleme
           <Button emphasis="primary" disabled={disabled} onClick={() => startRecording().catch(report)}>
             Start recording
           </Button>
-          <p class="quiet">The sound stays here until it is sent for listening</p>
+          <p class="quiet">It is sent to your VectorTalker server, and nowhere else</p>
         </div>
       );
     case 'asking':

@@ -1,9 +1,10 @@
 /** Actions on blocks and manner: each asks the server for the track of the blocks, and is one step. */
+import { RequestError } from '../api/client';
 import type { SpeechOptions } from '../api/schema';
 import { postVisemes } from '../api/speech';
 import { withTrackReplaced } from '../store/edit';
 import { apply } from '../store/editing';
-import { report } from '../store/notices';
+import { FileError, report } from '../store/notices';
 import { track } from '../store/state';
 import type { Blocks } from './blocks';
 import { blocksOf, loudnessOf, type SpeechTrack } from './speechTrack';
@@ -45,12 +46,15 @@ function enqueue(next: Blocks, beside: Partial<SpeechTrack>): void {
   queued += 1;
   queue = queue
     .then(() => place(next, beside))
-    .catch(report)
+    .catch((error: unknown) => report(isOffline(error) ? new FileError(OFFLINE) : error))
     .finally(() => {
       queued -= 1;
       if (queued === 0) pendingBlocks.value = null;
     });
 }
+
+const OFFLINE = 'The server does not answer, and it is the server that forms visemes: make this edit again when it is back.';
+const isOffline = (error: unknown) => error instanceof RequestError && error.code === 'offline';
 
 async function place(next: Blocks, beside: Partial<SpeechTrack>): Promise<void> {
   const base = track.value;
