@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+import vectortalker_core as core
 from vectortalker.decode import Portrait
 from vectortalker.inpaint import fill
 from vectortalker.interior import eyeballs, mouth_interior
 from vectortalker.landmarks import IrisDisc, detect
 from vectortalker.layers import targets
 from vectortalker.oklab import to_oklab, to_srgb
+from vectortalker.vectorize.layering import layer_images
 
 Sample = Callable[[str], Portrait]
 SIDE = 128
@@ -101,3 +103,14 @@ def test_oklab_round_trip_and_white() -> None:
 
 def _lightness(colour: str) -> float:
     return float(to_oklab(np.array([int(colour[k : k + 2], 16) for k in (1, 3, 5)]) / 255)[0])
+
+
+def test_closed_mouth_leaves_its_paths_without_gradients(sample: Sample) -> None:
+    """Adam moves paths by its full rate however small their gradients are: they must be exactly zero."""
+    portrait = sample("mona-lisa.jpg")
+    face = detect(portrait.rgb)[0]
+    image = portrait.rgb.astype(np.float32) / 255
+    outlines = tuple(outline for _, outline, _ in core.opening_outlines(face.points))
+    images = layer_images(image, np.ones(image.shape[:2], np.float32), face.points, face.irises, outlines)
+    assert images.clips[:2].max() > 0.99
+    assert (images.clips[2] == 0).all()

@@ -17,6 +17,7 @@ from vectortalker.vectorize.losses import SILHOUETTE_SCALE
 from vectortalker.vectorize.resize import resize
 
 FIRST_IRIS = FIRST_LOCAL + 2  # group of the image-left iris
+LEAST_COVERAGE = 1e-3  # a quarter of a level of 255
 CORE = 0.98  # coverage at which a pixel shows nothing but the opening's inside
 CONFINEMENT = 0.5  # weight of fore paint over scenery, against 1 for a squared error of the picture
 WHOLENESS = 0.3  # weight of the fore layer alone inside its silhouette
@@ -70,7 +71,9 @@ def layer_images(
     y, x = np.mgrid[:height, :width] + 0.5
     for index, outline in enumerate(outlines):
         if len(outline):
-            clips[index] = core.coverage(outline.astype(np.float32), width, height)
+            coverage = core.coverage(outline.astype(np.float32), width, height)
+            # A closed mouth's outline runs back over itself; what rounding leaves of it would move the paths it hides.
+            clips[index] = np.where(coverage > LEAST_COVERAGE, coverage, 0)
         parts[clips[index] > 0] = FIRST_LOCAL + FIRST_PART[index]
     for eye, iris in enumerate(irises):
         inside = (np.hypot(x - iris.centre[0], y - iris.centre[1]) < iris.radius) & (clips[eye] > 0)
