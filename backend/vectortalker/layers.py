@@ -23,6 +23,7 @@ EDGE_PX = 2.5  # mixed pixels of a soft mask's edge belong to neither side
 BACK_MARGIN = 0.06  # of the face height: hair wisps and shadows beside the person are not trusted as scenery
 BACK_MARGIN_NO_FACE = 0.02  # of the long side
 LASH_MARGIN = 0.18  # of an opening's width: lashes and lip line are not trusted as skin
+MOST_UNLIKE = 0.4  # distance in RGB from the colour around an opening at which a pixel is no skin
 BALL_GROWTH = 0.35  # of an opening's width: how far the eyeball and the mouth interior go on around it
 IRIS_RINGS = 12
 IRIS_EDGE = 1.1  # the limbus and its blur end at this radius
@@ -58,7 +59,7 @@ def targets(
         if not opening.any():
             continue
         near = _surroundings(opening)
-        skin[near] = _closed_over(skin[near], opening[near])
+        skin[near] = _closed_over(skin[near], opening[near], plain=index != MOUTH)
         iris = _shifted(irises[index], near) if index < len(irises) else None
         completed, grown = _completed_interior(image[near], clip[near], iris)
         if index == MOUTH and grown.any():
@@ -82,10 +83,15 @@ def _inside_silhouette(image: NDArray[np.float32], fore: NDArray[np.float32]) ->
     return _pasted(image, fill(image, trust), fore < 0.5) if trust.any() else image.copy()
 
 
-def _closed_over(skin: NDArray[np.float32], opening: NDArray[np.bool_]) -> NDArray[np.float32]:
-    """Skin or lip in place of an opening, from beyond the lashes."""
+def _closed_over(skin: NDArray[np.float32], opening: NDArray[np.bool_], plain: bool) -> NDArray[np.float32]:
+    """Skin or lip in place of an opening, from beyond the lashes; `plain`: not the colours of hair, brow, glasses."""
     lash = max(LASH_MARGIN * _width(opening), 1.0)
-    trust = ((_distance_to(opening) - EDGE_PX) / lash).clip(0, 1) ** 2
+    away = (_distance_to(opening) - EDGE_PX) / lash
+    trust = away.clip(0, 1) ** 2
+    around = (away > 1) & (away < 2)
+    if plain and around.any():
+        unlike = np.linalg.norm(skin - np.median(skin[around], axis=0), axis=2)
+        trust *= (1 - unlike / MOST_UNLIKE).clip(0, 1)
     return _pasted(skin, fill(skin, trust.astype(np.float32)), np.asarray(binary_dilation(opening), bool))
 
 

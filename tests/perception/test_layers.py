@@ -114,3 +114,14 @@ def test_closed_mouth_leaves_its_paths_without_gradients(sample: Sample) -> None
     images = layer_images(image, np.ones(image.shape[:2], np.float32), face.points, face.irises, outlines)
     assert images.clips[:2].max() > 0.99
     assert (images.clips[2] == 0).all()
+
+
+def test_lids_take_no_colour_of_hair_beside_the_eye() -> None:
+    """A black fringe hangs to just above the opening; the lid is skin all the same."""
+    skin = np.array((0.9, 0.7, 0.6), np.float32)
+    image = np.broadcast_to(skin, (SIDE, SIDE, 3)).copy()
+    opening = distance_from(64, 64) < 20
+    image[opening] = 1
+    image[:40] = 0
+    lid = targets(image, np.ones((SIDE, SIDE), np.float32), opening[None].astype(np.float32)).fore
+    assert np.abs(lid[opening] - skin).max() < 0.05
