@@ -30,6 +30,10 @@ export async function getRecordingAudio(recordingId: string, signal?: AbortSigna
   return response.blob();
 }
 
+export async function deleteRecording(recordingId: string): Promise<void> {
+  await answered(`api/recordings/${encodeURIComponent(recordingId)}`, { method: 'DELETE' });
+}
+
 export function postSpeech(speech: SpeechRequest, signal?: AbortSignal): Promise<JobState> {
   return request('api/speech', { ...posted(speech), signal });
 }

@@ -29,7 +29,7 @@ export async function openProjectFile(file: File): Promise<void> {
   portrait.value = { id: null, name: project.source ?? file.name, width, height, picture, notices: [] };
   scene.value = project.scene;
   tracedLandmarks.value = project.landmarks;
-  clips.value = Array.from(sounds, ([name, data]) => ({ name, data: new Blob([data as Uint8Array<ArrayBuffer>]) }));
+  clips.value = Array.from(sounds, ([name, data]) => ({ id: null, name, data: new Blob([data as Uint8Array<ArrayBuffer>]) }));
   history.value = historyOf(editFrom(project));
   session.value = { kind: 'editing' };
 }

@@ -14,14 +14,19 @@ const ENDINGS: Readonly<Record<string, string>> = {
 };
 
 /** Puts a sound among the clips, under a plain file name of its own; those that no step of the history names are dropped. */
-export function keepClip(data: Blob, label: string): Clip {
+export function keepClip(data: Blob, label: string, id: string | null): Clip {
   const known = clips.value.find((clip) => clip.data === data);
   if (known) return known;
   const taken = namesInUse();
   const kept = clips.value.filter(({ name }) => taken.has(name));
-  const clip = { name: freeName(label, data.type, taken), data };
+  const clip = { id, name: freeName(label, data.type, taken), data };
   clips.value = [...kept, clip];
   return clip;
+}
+
+/** The server has been given the clip and calls it `id`. */
+export function nameClip(clip: Clip, id: string): void {
+  clips.value = clips.value.map((kept) => (kept.name === clip.name ? { ...kept, id } : kept));
 }
 
 /** What a clip holds, by its ending; recordings of the editor are sound only. */

@@ -8,7 +8,7 @@ import { amend, apply } from '../store/editing';
 import { announce, FileError, report } from '../store/notices';
 import { track } from '../store/state';
 import { useTrack } from '../store/tracks';
-import { keepClip } from './clips';
+import { keepClip, nameClip } from './clips';
 import { roughTrack } from './envelope';
 import { retrack } from './retracking';
 import { clip, soundOf } from './sound';
@@ -16,9 +16,6 @@ import { audioOf, blocksOf, choicesOf, type SpeechTrack, tierOf } from './speech
 import { choices, keepingChoices, type Listening, listening } from './state';
 
 let stopper = new AbortController();
-
-/** The server's names of sounds that it has been given. */
-const recordingIds = new WeakMap<Blob, string>();
 
 /** A sound file, dropped, picked or recorded, becomes a track that plays at once and gets better. */
 export function takeSound(data: Blob, label: string): Promise<void> {
@@ -30,8 +27,7 @@ export function speakText(text: string): Promise<void> {
   return attempt({ kind: 'sending' }, async (signal) => {
     const spoken = await postSpoken(text, choices.value.options.language, signal);
     const data = await getRecordingAudio(spoken.id, signal);
-    recordingIds.set(data, spoken.id);
-    await speakWith(data, titleOf(text), signal, text);
+    await speakWith(data, titleOf(text), signal, { text, id: spoken.id });
   });
 }
 
@@ -69,11 +65,17 @@ async function attempt(first: Listening, work: (signal: AbortSignal) => Promise<
   if (!signal.aborted) listening.value = { kind: 'idle' };
 }
 
-async function speakWith(data: Blob, label: string, signal: AbortSignal, spokenText?: string): Promise<void> {
+/** `spoken`: the sound is the server's own, of that text. */
+async function speakWith(
+  data: Blob,
+  label: string,
+  signal: AbortSignal,
+  spoken?: { readonly text: string; readonly id: string },
+): Promise<void> {
   const { mono } = await soundOf(data, label);
   signal.throwIfAborted();
-  choices.value = { ...choices.value, transcript: spokenText ?? typedTranscript() };
-  const { name } = keepClip(data, label);
+  choices.value = { ...choices.value, transcript: spoken?.text ?? typedTranscript() };
+  const { name } = keepClip(data, label, spoken?.id ?? null);
   const rough: SpeechTrack = { ...roughTrack(mono, titleOf(label)), tier: 'rough', audio: name, choices: choices.value };
   useTrack(rough);
   await listen(rough, { transcript: choices.value.transcript }, signal);
@@ -111,16 +113,15 @@ function place(base: Track, heard: SpeechTrack): void {
 async function withRecording<T>(signal: AbortSignal, use: (recordingId: string) => Promise<T>): Promise<T> {
   const spoken = clip.value;
   if (!spoken) throw new FileError('This track has no sound to listen to: choose a sound file.');
-  const known = recordingIds.get(spoken.data);
-  if (known) {
+  if (spoken.id) {
     try {
-      return await use(known);
+      return await use(spoken.id);
     } catch (error) {
       if (!(error instanceof RequestError && error.code === 'not_found')) throw error;
     }
   }
   const { id } = await postRecording(spoken.data, spoken.name, signal);
-  recordingIds.set(spoken.data, id);
+  nameClip(spoken, id);
   return use(id);
 }
 

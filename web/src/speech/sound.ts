@@ -26,13 +26,14 @@ export function soundOf(data: Blob, name: string): Promise<Sound> {
 
 /** Keeps `sound` that of the track on the timeline. */
 export function followSound(): void {
+  const data = computed(() => clip.value?.data ?? null); // the same while only the server's name of the clip changes
   effect(() => {
-    const wanted = clip.value;
+    const wanted = data.value;
     sound.value = null;
     if (!wanted) return;
-    soundOf(wanted.data, wanted.name)
+    soundOf(wanted, clip.peek()?.name ?? '')
       .then((decoded) => {
-        if (clip.value === wanted) sound.value = decoded;
+        if (data.value === wanted) sound.value = decoded;
       })
       .catch(report);
   });

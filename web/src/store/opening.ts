@@ -1,6 +1,8 @@
 /** Actions that bring a portrait onto the stage: picture, faces, landmarks, job. */
 import { deletePortrait, getFaces, getPortraitImage, postPortrait, RequestError } from '../api/client';
 import type { Face, Landmarks, Portrait } from '../api/schema';
+import { deleteRecording } from '../api/speech';
+import { cancelListening } from '../speech/listening';
 import { editOf, withLandmarks } from './edit';
 import { apply } from './editing';
 import { historyOf } from './history';
@@ -40,19 +42,32 @@ export function offerDeletion(): void {
   tell({
     kind: 'advice',
     text: `Delete “${edit.value.name}” for good, here and on the server?`,
-    action: { label: 'Delete', run: () => void deleteForGood(open.id) },
+    action: {
+      label: 'Delete',
+      run: () =>
+        void deleteForGood(
+          open.id,
+          clips.value.flatMap(({ id }) => id ?? []),
+        ),
+    },
   });
 }
 
-async function deleteForGood(portraitId: string | null): Promise<void> {
+async function deleteForGood(portraitId: string | null, recordingIds: readonly string[]): Promise<void> {
   closePortrait();
   try {
-    if (portraitId) await deletePortrait(portraitId);
+    await Promise.all([...(portraitId ? [deletePortrait(portraitId)] : []), ...recordingIds.map(deleteRecording)].map(unlessGone));
     announce('Deleted');
   } catch (error) {
-    if (error instanceof RequestError && error.code === 'not_found') return;
-    report(error, { label: 'Delete it on the server', run: () => void deleteForGood(portraitId) });
+    report(error, { label: 'Delete it on the server', run: () => void deleteForGood(portraitId, recordingIds) });
   }
+}
+
+/** What the server has dropped by itself needs no deleting. */
+async function unlessGone(deletion: Promise<void>): Promise<void> {
+  await deletion.catch((error: unknown) => {
+    if (!(error instanceof RequestError && error.code === 'not_found')) throw error;
+  });
 }
 
 /** One of several faces was picked. */
@@ -98,6 +113,7 @@ export function clearStage(): void {
   opening.abort();
   opening = new AbortController();
   leaveJob();
+  cancelListening();
   dismiss();
   draft.value = null;
   portrait.value = null;

@@ -21,7 +21,12 @@ export type PortraitPicture = {
 export type Pins = readonly [Xy, Xy, Xy, Xy, Xy];
 
 /** A sound that tracks of the project speak with, under its file name in the project. */
-export type Clip = { readonly name: string; readonly data: Blob };
+export type Clip = {
+  /** The server's name for it; null until it is sent. */
+  readonly id: string | null;
+  readonly name: string;
+  readonly data: Blob;
+};
 
 export type Session =
   | { readonly kind: 'welcome' }
