@@ -12,15 +12,21 @@ from vectortalker.scene import OPENING_OF_PART
 from vectortalker.vectorize.level import FIRST_LOCAL, FORE, Completion, Level, Silhouette
 from vectortalker.vectorize.population import Population
 
+FLATNESS = 0.1  # px; the pictures of finished scenes come within 55 dB of much finer chords'
 SILHOUETTE_SCALE = 0.25  # resolution at which the fore layer is looked at alone: a sixteenth of the pixels
 
 
 @dataclass(frozen=True)
 class Fidelity:
-    """How closely a pass follows the nonzero rule where paths fold: sub-rows a pixel (1, 2, 4); threads (0: all)."""
+    """How closely a pass follows what renderers paint.
+
+    `subrows` a pixel (1, 2, 4): the nonzero rule where paths fold; `threads` (0: all); `flatness`: px that a chord may
+    stray from its cubic.
+    """
 
     subrows: int = 1
     threads: int = 0
+    flatness: float = FLATNESS
 
 
 @dataclass(frozen=True)
@@ -55,6 +61,7 @@ def evaluate(population: Population, level: Level, fidelity: Fidelity, importanc
         checkpoints,
         subrows=fidelity.subrows,
         threads=fidelity.threads,
+        flatness=fidelity.flatness,
         importance=importance,
         picture=False,
     )
@@ -90,6 +97,7 @@ def detach_fore(
         screen,
         [(fore.stop - fore.start, core.Target(target, weight))],
         threads=threads,
+        flatness=FLATNESS,
         picture=False,
     )
     gradients["points"][fore] += grad_points * scale
@@ -124,6 +132,7 @@ def complete_local(
         completion.target.mean(axis=(0, 1)),
         [(count, completion.goal)],
         threads=threads,
+        flatness=FLATNESS,
         picture=False,
     )
     gradients["points"][local] += grad_points * share
@@ -147,4 +156,5 @@ def picture_below(population: Population, level: Level, group: int, fidelity: Fi
         height,
         subrows=fidelity.subrows,
         threads=fidelity.threads,
+        flatness=fidelity.flatness,
     )

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vectortalker.vectorize.level import FIRST_LOCAL, Level
-from vectortalker.vectorize.losses import Fidelity, complete_local, detach_fore, evaluate
+from vectortalker.vectorize.losses import FLATNESS, Fidelity, complete_local, detach_fore, evaluate
 from vectortalker.vectorize.options import Settings
 from vectortalker.vectorize.painted import compensate
 from vectortalker.vectorize.population import Population, move, rescale, take
@@ -22,6 +22,7 @@ REALLOCATE_EVERY = 50
 LEAST_IMPORTANCE = 0.25  # paths under this share of the mean importance are moved …
 MOST_MOVED = 0.08  # … at most this share of all at a time
 REALLOCATED_RADIUS = 0.8  # of the level's
+COARSE_FLATNESS = 0.2  # px that a chord may stray before the polish
 ASIDE_EVERY = 2  # iterations between passes over single layers; their weight makes up for those left out
 
 
@@ -92,8 +93,10 @@ def optimise(
 
 
 def _fidelity(ingredients: Ingredients, i: int, iterations: int, last: bool, threads: int) -> Fidelity:
-    polish = last and i > iterations * (1 - ingredients.polish)
-    return Fidelity(4 if polish else 1, threads)
+    """Coarse chords cost nothing while finer ones follow: a recipe without a polish has the fine ones throughout."""
+    if last and i > iterations * (1 - ingredients.polish):
+        return Fidelity(4, threads)
+    return Fidelity(1, threads, COARSE_FLATNESS if ingredients.polish else FLATNESS)
 
 
 def _moved_radius(ingredients: Ingredients, i: int, level_plan: LevelPlan, last: bool) -> float | None:
