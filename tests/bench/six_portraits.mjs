@@ -26,20 +26,25 @@ const DEMO_SECONDS = { rest: 0, blink: 0.6, smile: 1.6, gaze: 2.6, round: 3.9, o
 const stage = (page) => page.getByRole('main', { name: 'Stage' });
 const settled = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
-/** Chromium repaints a freshly drawn picture once more, by a few edge pixels: shots are taken until two agree. */
-const MAX_SHOTS = 6;
-
-/** The bare picture, without points, options and messages. */
+/**
+ * The bare picture, without points, options and messages. It is painted as a whole: where the browser paints only what
+ * changed, its antialiasing depends on what that was.
+ */
 async function pictureShot(page, path) {
   const show = (visibility) =>
     page.evaluate((value) => {
       for (const element of document.querySelectorAll('.overlay, .stage-options, .hint, .stage-messages')) element.style.visibility = value;
     }, visibility);
+  const display = (value) =>
+    page.evaluate((next) => {
+      document.querySelector('#back').ownerSVGElement.style.display = next;
+    }, value);
   await show('hidden');
+  await display('none');
   await settled(page);
-  const take = () => stage(page).screenshot({ animations: 'disabled', path });
-  let shot = await take();
-  for (let last = null, count = 1; count < MAX_SHOTS && !last?.equals(shot); count += 1) [last, shot] = [shot, await take()];
+  await display('');
+  await settled(page);
+  const shot = await stage(page).screenshot({ animations: 'disabled', path });
   await show('');
   return shot;
 }
@@ -87,8 +92,6 @@ async function poseLip(page, out) {
   const mesh = async () => (await page.locator('.overlay .mesh').getAttribute('d')) ?? '';
   await page.getByRole('button', { name: 'Pose', exact: true }).click(); // doubtful landmarks open in the other tool
   await page.getByRole('button', { name: 'Mesh' }).click();
-  await dragLip(page);
-  await undo(page); // what has moved once is painted by itself, with other roundings at its edges
   const [restMesh, restPaths, restShot] = [await mesh(), await pathData(page), await pictureShot(page)];
   await dragLip(page);
   await page.screenshot({ path: join(out, 'drag.png') });

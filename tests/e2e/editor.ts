@@ -21,7 +21,7 @@ export async function traceSample(page: Page): Promise<void> {
 /** The first coarse picture is good enough for tests, and the quickest; a quick machine may be done before it is kept. */
 export async function tracingDone(page: Page): Promise<void> {
   const enough = page.getByRole('button', { name: 'Good enough' });
-  await expect(page.locator('#fore path').first()).toBeAttached({ timeout: TRACING_MILLISECONDS });
+  await expect(page.locator('#fore')).toBeAttached({ timeout: TRACING_MILLISECONDS });
   await expect(async () => {
     if (await enough.isVisible()) await enough.click({ timeout: 1000 });
     await expect(page.getByRole('region', { name: 'Progress' })).toBeHidden({ timeout: 2000 });

@@ -16,7 +16,7 @@ const LIMIT = 240_000; // milliseconds until a question, a message or a picture;
 const question = (page) => page.getByRole('group', { name: 'Which face should talk?' });
 const pins = (page) => page.getByRole('region', { name: 'Five pins' });
 const alert = (page) => page.getByRole('alert');
-const picture = (page) => page.locator('#back path, #fore path').first();
+const picture = (page) => page.locator('#fore');
 
 /** Drops the file onto the page as a person does. */
 async function drop(page, name, data) {

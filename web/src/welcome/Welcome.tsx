@@ -1,4 +1,4 @@
-/** The first screen: one sentence, one place to put a portrait, six samples, and what happens to the picture. */
+/** The first screen: a talking example, one sentence, one place to put a portrait, six samples, and what happens to the picture. */
 import type { JSX } from 'preact';
 import { DetailChoice } from '../panels/DetailChoice';
 import { Button } from '../shell/Button';
@@ -11,10 +11,15 @@ import { type Sample, samples } from './samples';
 export function Welcome(): JSX.Element {
   return (
     <main class="welcome">
-      <h1>A portrait becomes a layered SVG that talks.</h1>
-      <p class="lead">
-        Photo, painting, manga, cartoon: it is redrawn as a few hundred vector shapes that you pose by hand, play and export.
-      </p>
+      <header class="welcome-head">
+        <Example />
+        <div>
+          <h1>A portrait becomes a layered SVG that talks.</h1>
+          <p class="lead">
+            Photo, painting, manga, cartoon: it is redrawn as a few hundred vector shapes that you pose by hand, play and export.
+          </p>
+        </div>
+      </header>
       <DropZone />
       <Samples />
       <p class="quiet small-print">
@@ -22,6 +27,16 @@ export function Welcome(): JSX.Element {
         kept in this browser. No account.
       </p>
     </main>
+  );
+}
+
+/** What comes out, before anything is asked of people: it talks without sound, and keeps still where they prefer that. */
+function Example(): JSX.Element {
+  return (
+    <picture class="example">
+      <source media="(prefers-reduced-motion: reduce)" srcset="examples/mona-lisa.svg" />
+      <img src="examples/mona-lisa-talking.svg" width={148} height={148} alt="Example: a painting, redrawn in 150 vector shapes, talks" />
+    </picture>
   );
 }
 
