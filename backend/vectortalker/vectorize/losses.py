@@ -97,7 +97,6 @@ def detach_fore(
         screen,
         [(fore.stop - fore.start, core.Target(target, weight))],
         threads=threads,
-        flatness=FLATNESS,
         picture=False,
     )
     gradients["points"][fore] += grad_points * scale
@@ -132,7 +131,6 @@ def complete_local(
         completion.target.mean(axis=(0, 1)),
         [(count, completion.goal)],
         threads=threads,
-        flatness=FLATNESS,
         picture=False,
     )
     gradients["points"][local] += grad_points * share
