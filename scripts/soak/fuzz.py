@@ -1,6 +1,7 @@
 """Many inputs for every target of tests/fuzz, each target in a process of limited memory and time.
 
-`python -m scripts.soak.fuzz [INPUTS]` from the repository's root prints a line a target and ends with 1 if any failed.
+`python -m scripts.soak.fuzz [INPUTS [TARGET…]]` from the repository's root prints a line a target, and ends with 1 if
+any failed.
 """
 
 from __future__ import annotations
@@ -26,10 +27,11 @@ SECONDS_PER_INPUT = 0.2  # on a busy machine; a hang of any one input passes the
 
 def main() -> int:
     total = int(sys.argv[1]) if len(sys.argv) > 1 else INPUTS
-    shares = sum(target.share for target in TARGETS.values())
+    names = sys.argv[2:] or list(TARGETS)
+    shares = sum(TARGETS[name].share for name in names)
     failed, tried = [], 0
-    for name, target in TARGETS.items():
-        n_inputs = round(total * target.share / shares)
+    for name in names:
+        n_inputs = round(total * TARGETS[name].share / shares)
         process = multiprocessing.get_context("fork").Process(target=_try, args=(name, n_inputs))
         began = time.monotonic()
         process.start()

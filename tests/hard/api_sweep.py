@@ -74,24 +74,33 @@ def peak_megabytes(pids: list[int]) -> float:
 
 def with_column(markdown: str, outcomes: Mapping[str, str]) -> str:
     """The tables of files with `COLUMN` as their last cell, or filled in where they have it."""
-    lines, at = [], None
+    lines, column = [], None
     for line in markdown.split("\n"):
         cells = re.split(r"(?<!\\)\|", line[1:-1]) if line.startswith("|") else []
-        first = cells[0].strip() if cells else ""
         if not cells:
-            at = None
-        elif first == "file":
-            at = next((i for i, cell in enumerate(cells) if cell.strip() == COLUMN), len(cells))
-        if cells and at is not None:
-            text = {"file": COLUMN}.get(
-                first, "---" if set(first) == {"-"} else outcomes.get(first, "").replace("|", r"\|")
-            )
-            cells[at : at + 1] = (
-                [f" {text} " if text != "---" else text] if text or at == len(cells) else cells[at : at + 1]
-            )
+            column = None
+        elif cells[0].strip() == "file":
+            column = next((i for i, cell in enumerate(cells) if cell.strip() == COLUMN), len(cells))
+        if column is not None:
+            cells[column : column + 1] = [_cell(cells, column, outcomes)]
             line = f"|{'|'.join(cells)}|"
         lines.append(line)
     return "\n".join(lines)
+
+
+def _cell(cells: list[str], column: int, outcomes: Mapping[str, str]) -> str:
+    """What was said in another cell is not said again; a file that was not tried keeps what it had."""
+    name = cells[0].strip()
+    if name == "file":
+        return f" {COLUMN} "
+    if set(name) == {"-"}:
+        return "---"
+    text = outcomes.get(name, "").replace("|", r"\|")
+    for cell in cells[1:column]:
+        if cell.strip().startswith(name):
+            text = text.replace(cell.strip(), "the same")
+    kept = cells[column] if column < len(cells) else " "
+    return f" {text} " if text else kept
 
 
 def main() -> int:
