@@ -121,7 +121,7 @@ def rescale(population: Population, old: tuple[int, int], new: tuple[int, int]) 
 
     A level's targets are not those of the one before: second moments remembered from it would only damp the steps.
     """
-    factor = np.array(new, np.float32) / np.array(old, np.float32)
+    factor = np.divide(new, old).astype(np.float32)
     points, axis = population.points * factor, population.axis * np.tile(factor, 2)
     return fresh(points, population.stops, axis, population.gradient, population.group)
 
