@@ -20,14 +20,16 @@ pub fn blend_edges<const S: usize>(
     mask: Option<&[Lane]>,
     canvas: Canvas<'_>,
 ) {
+    let mut sums = *running; // a local keeps them in registers
     let columns = winding.iter_mut().zip(canvas.picture).zip(canvas.below);
     for (i, ((winding, c), below)) in columns.enumerate() {
-        let covered = resolve(running, winding);
+        let covered = resolve(&mut sums, winding);
         let covered = mask.map_or(covered, |mask| covered * mask[i]);
         *below = *c;
         blend_column(&shade, covered, c);
         shade.advance();
     }
+    *running = sums;
 }
 
 /// Blends columns of the same coverage.

@@ -10,6 +10,7 @@ const LEAST_HEIGHT: f32 = 1e-6;
 ///
 /// A passage through a cell over height `d` at mean distance `m` from its left side covers `d·(1 − m)` of the cell and all `d`
 /// of the cells to the right of it, hence `d·m` more from the next cell on.
+#[inline]
 pub fn walk<const S: usize>(piece: &Piece, cells: &mut [[Lane; S]]) {
     let line = &piece.line;
     let (low, high, dy) = (line.low(), line.high(), line.end - line.y);
@@ -53,6 +54,7 @@ pub fn walk<const S: usize>(piece: &Piece, cells: &mut [[Lane; S]]) {
 }
 
 /// `∫G dt` and `∫G·t dt` along a chord inside the canvas, `G = ∂loss/∂winding` of the cells from the piece's first on.
+#[inline]
 pub fn integrate<const S: usize>(piece: &Piece, grad_winding: &[[Lane; S]]) -> [f32; 2] {
     let line = &piece.line;
     let steepness = 1.0 / (line.end - line.y);
