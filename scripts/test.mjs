@@ -30,7 +30,8 @@ const CHECKS = [
 
 main(() => {
   setup();
-  const absent = new Set(provideSystemPackages().map((item) => item.command));
+  const missing = provideSystemPackages();
+  const absent = new Set(missing.map((item) => item.command));
   const failed = [];
   const left = [];
   for (const check of CHECKS) {
@@ -46,6 +47,7 @@ main(() => {
       failed.push(check.name);
     }
   }
+  for (const item of missing) console.log(`\nNot on this machine: ${item.command} (${item.needed}); what needs it was skipped.`);
   if (left.length > 0) console.log(`\nNot run, for want of a tool: ${left.join('; ')}`);
   if (failed.length > 0) throw new SetupError(`Failed: ${failed.join('; ')}`);
   console.log('\n✓ all checks passed');

@@ -13,12 +13,14 @@ import sys
 import tempfile
 import threading
 import time
+from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
 import httpx
 
-from scripts.soak.deployment import SMALL, START_SECONDS, Deployment, wait
+from scripts.soak.deployment import SMALL, START_SECONDS, Deployment
 from tests.server.pictures import picture
 
 KILLS = 50
@@ -115,31 +117,54 @@ def main() -> int:
 
 
 def _disturbed(deployment: Deployment, kills: int, expected: list[str]) -> int:
-    client, asked, killed = Client(deployment), list[Asked](), dict[str, int]()
-    deployment.wait_for_workers()
-    threads = []
+    client, killed = Client(deployment), Counter[str]()
+    feed = _Feed(client)
     began = time.monotonic()
-    while sum(killed.values()) < kills:
-        while sum(job.phase not in ENDED for job in asked) < WAITING:
-            seed = len(asked) % N_REQUESTS
-            job = Asked(seed, client.start(seed))
-            asked.append(job)
-            threads.append(threading.Thread(target=_follow, args=(client, job)))
-            threads[-1].start()
-        wait(deployment.is_at_work, START_SECONDS, "a job runs")
+    while killed.total() < kills:
+        feed.until(deployment.is_at_work)
         time.sleep(random.expovariate(1 / MEAN_SECONDS))
         victim = _kill(deployment)
         if victim:
-            killed[victim] = killed.get(victim, 0) + 1
-            print(f"{time.monotonic() - began:.0f} s: {victim} killed, {len(asked)} jobs so far", flush=True)
-    for thread in threads:
-        thread.join()
-    svgs = [(job, client.ask("GET", f"/api/jobs/{job.job_id}/svg").text) for job in asked if job.phase == "done"]
-    differing = [job.job_id for job, svg in svgs if svg != expected[job.seed]]
-    phases = {phase: sum(job.phase == phase for job in asked) for phase in {job.phase for job in asked}}
-    print(f"faults: {killed} killed in {time.monotonic() - began:.0f} s, {client.cuts} streams taken up again")
-    print(f"faults: {len(asked)} jobs, {phases}, {len(differing)} differ from the undisturbed run", flush=True)
-    return 0 if phases == {"done": len(asked)} and not differing else 1
+            killed[victim] += 1
+            print(f"{time.monotonic() - began:.0f} s: {victim} killed, {len(feed.asked)} jobs so far", flush=True)
+    feed.follow_to_the_end()
+    done = [job for job in feed.asked if job.phase == "done"]
+    differing = [job for job in done if client.ask("GET", f"/api/jobs/{job.job_id}/svg").text != expected[job.seed]]
+    phases = Counter(job.phase for job in feed.asked)
+    print(f"faults: {dict(killed)} killed in {time.monotonic() - began:.0f} s, {client.cuts} streams taken up again")
+    print(
+        f"faults: {len(feed.asked)} jobs: {dict(phases)}; {len(differing)} differ from the undisturbed run", flush=True
+    )
+    return 0 if len(done) == len(feed.asked) and not differing else 1
+
+
+class _Feed:
+    """Keeps some jobs waiting and follows each of them."""
+
+    def __init__(self, client: Client) -> None:
+        self._client = client
+        self._threads: list[threading.Thread] = []
+        self.asked: list[Asked] = []
+
+    def until(self, condition: Callable[[], bool]) -> None:
+        deadline = time.monotonic() + START_SECONDS
+        while not condition():
+            if time.monotonic() > deadline:
+                raise TimeoutError(f"no job ran for {START_SECONDS} s")
+            if sum(job.phase not in ENDED for job in self.asked) < WAITING:
+                self._ask()
+            time.sleep(0.1)
+
+    def _ask(self) -> None:
+        seed = len(self.asked) % N_REQUESTS
+        job = Asked(seed, self._client.start(seed))
+        self.asked.append(job)
+        self._threads.append(threading.Thread(target=_follow, args=(self._client, job)))
+        self._threads[-1].start()
+
+    def follow_to_the_end(self) -> None:
+        for thread in self._threads:
+            thread.join()
 
 
 def _follow(client: Client, job: Asked) -> None:

@@ -28,6 +28,7 @@ SHARED = Path(os.environ.get("VECTORTALKER_SHARED", REPOSITORY.parent / "shared"
 SMALL = ["--paths", "32", "--levels", "1", "--final-iterations", "10", "--working-size", "128"]
 LIMIT_SECONDS = 120
 LIMIT_MEGABYTES = 2000
+BY_HAND = "\n## The server"  # what follows in the document is not made here
 
 
 @dataclass(frozen=True)
@@ -138,7 +139,9 @@ def main() -> int:
         if not outcome.is_sensible:
             print(outcome.stderr, flush=True)
         outcomes.append(outcome)
-    (REPOSITORY / "docs" / "robustness.md").write_text(report(outcomes), encoding="utf-8")
+    document = REPOSITORY / "docs" / "robustness.md"
+    before = document.read_text(encoding="utf-8")
+    document.write_text(report(outcomes) + before[before.index(BY_HAND) :], encoding="utf-8")
     return 0 if all(outcome.is_sensible for outcome in outcomes) else 1
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import multiprocessing
+import subprocess
 import time
 from collections.abc import Iterator
 from dataclasses import replace
@@ -10,12 +11,14 @@ from pathlib import Path
 
 import httpx
 import pytest
+from vectortalker.errors import VectorTalkerError
 from vectortalker.schema import JobRequest, Metrics, VectorizeOptions
 from vectortalker.server import portraits
 from vectortalker.server.blobs import Blobs
 from vectortalker.server.cache import Cache, CachedResult
 from vectortalker.server.removal import sweep
-from vectortalker.server.services import Services
+from vectortalker.server.services import Services, open_services
+from vectortalker.server.settings import Settings
 from vectortalker.server.sqlite_store import SqliteStore
 from vectortalker.server.store import Store
 
@@ -160,3 +163,36 @@ def test_blobs_lie_in_any_store_of_fsspec(in_memory: Blobs) -> None:
     assert in_memory.get("jobs/a/scene.json") == b"2" and in_memory.folders("jobs") == ["a"]
     in_memory.delete_folder("jobs/a")
     assert in_memory.find("jobs/a/scene.json") is None and in_memory.free_bytes() is None
+
+
+@pytest.fixture
+def small_disk(tmp_path: Path) -> Iterator[Path]:
+    """A disk of 3 MB."""
+    folder = tmp_path / "disk"
+    folder.mkdir()
+    mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=3m", "tmpfs", str(folder)], capture_output=True)
+    if mounted.returncode != 0:
+        pytest.skip("mounting a small disk needs root")
+    yield folder
+    subprocess.run(["umount", "--lazy", str(folder)], check=True)
+
+
+def test_full_disk_loses_nothing_that_was_kept(small_disk: Path) -> None:
+    """Blobs and jobs are added until the disk is full; then each is whole or not there, and deleting makes room."""
+    services = open_services(Settings(data=small_disk, min_free_bytes=0))
+    kept = []
+    with pytest.raises(VectorTalkerError) as caught:
+        for number in range(100):
+            services.blobs.put(f"jobs/{number}/scene.json", bytes(50_000))
+            services.jobs.create(f"{number}", "vectorize", None, "ada")
+            kept.append(number)
+    assert caught.value.code == "storage_full" and len(kept) > 10
+    services.blobs.delete_folder("jobs/0")
+    services.blobs.delete_folder("jobs/1")
+    services.close()
+    reopened = open_services(Settings(data=small_disk, min_free_bytes=0))
+    assert all(reopened.jobs.get(f"{number}").phase == "queued" for number in kept)
+    assert all(reopened.blobs.find(f"jobs/{number}/scene.json") == bytes(50_000) for number in kept[2:])
+    reopened.jobs.create("after", "vectorize", None, "ada")
+    assert reopened.jobs.get("after").phase == "queued"
+    reopened.close()
