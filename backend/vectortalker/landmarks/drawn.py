@@ -29,6 +29,7 @@ LEAST_AREA, MOST_AREA = 0.008, 0.35  # of the square
 LEAST_SOLIDITY = 0.75  # area over that of the convex hull
 FURTHEST = 0.3  # of the square: from its middle, where the eye was detected
 LEAST_END = 0.3  # of the eye's height: what is lower at its ends is lashes
+CORNER_HEIGHT = 0.6  # of the eye's height below its top: where the lids meet in a round eye
 EDGE = 2  # px of an outline's blended edge
 LASH_LIGHTNESS = 0.5
 MOST_LASH = 0.2  # of the eye's height
@@ -127,15 +128,15 @@ def _contour(eye: Mask, lightness: Array) -> Array:
     heights = np.where(eye.any(axis=0), bottoms - tops, 0)
     columns = np.flatnonzero(heights >= LEAST_END * heights.max())
     left, right = int(columns[0]), int(columns[-1])
+    corner = float(tops[columns].min() + CORNER_HEIGHT * heights.max())
     most = round(MOST_LASH * int(heights.max()))
     quarter = len(columns) // 4
     rims = [_rim(lightness[tops[c] : tops[c] + most, c]) for c in columns[quarter : len(columns) - quarter]]
     rim = float(np.median(rims))
     thirds = [round(left + (right - left) * share) for share in (0.3, 0.7)]
-    ends = [float(tops[c] + rim + bottoms[c]) / 2 for c in (left, right)]
     upper = [(c + 0.5, tops[c] + rim) for c in thirds]
     lower = [(c + 0.5, float(bottoms[c])) for c in thirds]
-    return np.array([(left, ends[0]), *upper, (right + 1, ends[1]), *reversed(lower)], float)
+    return np.array([(left, corner), *upper, (right + 1, corner), *reversed(lower)], float)
 
 
 def _rim(column: Array) -> int:

@@ -22,6 +22,7 @@ CORE = 0.98  # coverage at which a pixel shows nothing but the opening's inside
 CONFINEMENT = 0.5  # weight of fore paint over scenery, against 1 for a squared error of the picture
 WHOLENESS = 0.3  # weight of the fore layer alone inside its silhouette
 HIDDEN_WEIGHT = 0.15  # of what another layer hides at rest: it shows only when the head or a lid moves
+LID_WEIGHT = 0.5  # of skin under the openings: every blink shows it
 EMPHASIS = 2.0  # weight of eyes and mouth: they move, and people look there
 LOCAL_SHARE = 0.05  # of all paths lie within eyes and open mouth, at least
 LOCAL_RADIUS = 0.12  # of the square root of the openings' area: a third of an eye's height
@@ -126,7 +127,7 @@ def layered_level(
     back = _blend(resize(images.layers.back, frame), smoothed, scenery)
     fore = _blend(resize(images.layers.fore, frame), smoothed, mask * (1 - opening))
     back_weight = scenery + HIDDEN_WEIGHT * mask
-    fore_weight = mask * emphasis * (1 - (1 - HIDDEN_WEIGHT) * opening)
+    fore_weight = mask * emphasis * (1 - (1 - LID_WEIGHT) * opening)
     groups = np.zeros(mask.shape, np.int64)
     sheets = (
         _sheet(FORE, back, back_weight, back_weight, groups + BACK),

@@ -206,7 +206,7 @@ impl Stage {
 /// Lips and lids meet instead of passing through each other.
 fn keep_contact(points: &mut Landmarks, rest: &Landmarks, face: &Face) {
     for opening in Opening::ALL {
-        let meeting = if opening == Opening::Mouth { mouth::CONTACT } else { eyes::LID_MEETING };
+        let meeting = if opening == Opening::Mouth { mouth::CONTACT } else { eyes::lid_meeting(rest, opening) };
         mouth::keep_contact(points, rest, face, opening, meeting);
     }
 }

@@ -5,8 +5,12 @@ use crate::face::{Face, Iris, Landmarks};
 use crate::opening::Opening;
 use crate::point::Point;
 
-/// Where the lids meet: this far from the upper to the lower lid, so the lower one rises by the rest.
-pub const LID_MEETING: f64 = 0.9;
+/// Where the lids of a narrow eye meet: this far from the upper to the lower lid, so the lower one rises by the rest.
+const LID_MEETING: f64 = 0.9;
+/// The same of an eye as high as wide, as in drawings, whose closed line would otherwise hang in a bag.
+const ROUND_LID_MEETING: f64 = 0.7;
+/// Height over width up to which an eye counts as narrow.
+const NARROW: f64 = 0.5;
 /// Part of the eye's height by which the upper lid follows the gaze down, and up.
 const LID_FOLLOWS_DOWN: f64 = 0.2;
 const LID_FOLLOWS_UP: f64 = 0.1;
@@ -42,14 +46,25 @@ pub fn articulate(points: &mut Landmarks, rest: &Landmarks, face: &Face, pose: &
     }
 }
 
+/// Where the lids of an eye meet, as a share of the way from the upper to the lower one.
+#[must_use]
+pub fn lid_meeting(rest: &Landmarks, opening: Opening) -> f64 {
+    let ends = (opening.upper()[0], opening.upper()[3]);
+    let width = rest[ends.0].distance(rest[ends.1]);
+    let height = opening.pairs().map(|(upper, lower)| rest[upper].distance(rest[lower])).fold(0.0, f64::max);
+    let roundness = ((height / width.max(f64::MIN_POSITIVE) - NARROW) / (1.0 - NARROW)).clamp(0.0, 1.0);
+    LID_MEETING + (ROUND_LID_MEETING - LID_MEETING) * roundness
+}
+
 fn move_lids(points: &mut Landmarks, rest: &Landmarks, opening: Opening, blink: f64, pose: &Pose) {
     let gaze = pose.value(Channel::GazeY);
     let follow = gaze * if gaze > 0.0 { LID_FOLLOWS_DOWN } else { LID_FOLLOWS_UP };
     let lift = SMILE_LIFTS_LID * pose.value(Channel::Smile).max(0.0);
+    let meeting = lid_meeting(rest, opening);
     for (upper, lower) in opening.pairs() {
         let open = rest[lower] - rest[upper];
         let (upper_now, lower_now) = (open * follow, open * -lift);
-        let closed = open * LID_MEETING;
+        let closed = open * meeting;
         let toward = blink.max(0.0);
         points[upper] += upper_now.lerp(closed, toward) + closed * blink.min(0.0);
         points[lower] += lower_now.lerp(closed - open, toward) + (closed - open) * blink.min(0.0);
