@@ -2,8 +2,9 @@
 import type { Page } from '@playwright/test';
 
 /**
- * A frame of the page. `loudness` is that of the sound which left the page before `time` (seconds), a value every STEP_SECONDS, the
- * latest first: machines that paint seldom are heard without gaps. `opening` is the height of the mouth's opening in the picture.
+ * A frame of the page. `loudness` is that of the sound which left the page before `time`, a value every STEP_SECONDS, the latest first:
+ * machines that paint seldom are heard without gaps. Seconds are the sound's own, which stand still where a busy machine lets it break off.
+ * `opening` is the height of the mouth's opening in the picture.
  */
 export type Frame = { readonly time: number; readonly loudness: readonly number[]; readonly opening: number };
 
@@ -16,7 +17,7 @@ declare global {
 const STEP_SECONDS = 0.01;
 const MOST_STEPS = 30;
 
-/** From the next page on, every frame is added to `window.lipsAndSound`: the sound at its start, and the picture at its end. */
+/** From the next page on, every frame since the first sound is added to `window.lipsAndSound`: the sound at its start, and the picture at its end. */
 export async function watchLipsAndSound(page: Page): Promise<void> {
   await page.addInitScript((stepSeconds) => {
     const frames: Frame[] = [];
@@ -30,11 +31,10 @@ export async function watchLipsAndSound(page: Page): Promise<void> {
       }
       return connect.apply(this, to);
     } as typeof AudioNode.prototype.connect;
-    const loudness = (): number[] => {
-      if (!heard) return [];
-      const values = new Float32Array(heard.fftSize);
-      heard.getFloatTimeDomainData(values);
-      const step = Math.round(stepSeconds * heard.context.sampleRate);
+    const loudnessOf = (analyser: AnalyserNode): number[] => {
+      const values = new Float32Array(analyser.fftSize);
+      analyser.getFloatTimeDomainData(values);
+      const step = Math.round(stepSeconds * analyser.context.sampleRate);
       return Array.from({ length: Math.floor(values.length / step) }, (_, k) => {
         const piece = values.subarray(values.length - (k + 1) * step, values.length - k * step);
         return Math.sqrt(piece.reduce((sum, value) => sum + value * value, 0) / step);
@@ -51,10 +51,11 @@ export async function watchLipsAndSound(page: Page): Promise<void> {
     };
     const frameEnd = new MessageChannel();
     const watch = () => {
-      const start = { time: performance.now() / 1000, loudness: loudness() };
+      requestAnimationFrame(watch);
+      if (!heard) return;
+      const start = { time: heard.context.currentTime, loudness: loudnessOf(heard) };
       frameEnd.port1.onmessage = () => frames.push({ ...start, opening: opening() });
       frameEnd.port2.postMessage(null);
-      requestAnimationFrame(watch);
     };
     requestAnimationFrame(watch);
   }, STEP_SECONDS);
@@ -76,7 +77,7 @@ export function bestLag(frames: readonly Frame[]): { readonly lagSeconds: number
   return scored.reduce((best, next) => (next.correlation > best.correlation ? next : best));
 }
 
-/** Loudness by the number of the step since the page began; what several frames heard counts once. */
+/** Loudness by the number of the step; what several frames heard counts once. */
 function loudnessByStep(frames: readonly Frame[]): ReadonlyMap<number, number> {
   return new Map(
     frames.flatMap(({ time, loudness }) => loudness.map((value, k) => [Math.round(time / STEP_SECONDS) - k, value] as const).reverse()),

@@ -103,6 +103,16 @@ test('a sound becomes a track that is heard, seen, edited, undone, kept and expo
     await expect.poll(() => labels(page)).toEqual(before);
   });
 
+  await test.step('a double click cuts a new block out of a vowel', async () => {
+    const before = await labels(page);
+    await visemes(page).filter({ hasText: 'aa' }).first().dblclick();
+    await expect(page.getByRole('combobox', { name: 'Viseme' })).toHaveValue('PP');
+    await expect(page.getByText('Lips as you edited them.')).toBeVisible();
+    expect((await labels(page)).length).toBeGreaterThan(before.length);
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await expect.poll(() => labels(page)).toEqual(before);
+  });
+
   await test.step('a reload keeps sound and blocks', async () => {
     const before = await labels(page);
     await page.waitForTimeout(600); // the save is put off for 250 ms
