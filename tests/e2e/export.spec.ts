@@ -89,6 +89,7 @@ test('a forecast comes first, and Cancel goes back without a file', async ({ pag
   page.on('download', () => {
     downloads += 1;
   });
+  await page.getByRole('combobox', { name: 'Video size' }).selectOption('1080 px'); // slow enough to be cancelled
   await page.getByRole('button', { name: /^MP4 video/ }).click();
   await expect(page.getByText(/about .* (kB|MB)/)).toBeVisible();
   await page.getByRole('button', { name: 'Download' }).click();

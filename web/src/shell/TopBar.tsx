@@ -57,6 +57,7 @@ function NameAndSteps(): JSX.Element {
         aria-label="Name of the portrait"
         value={documentName.value}
         onChange={(event) => rename(event.currentTarget.value)}
+        onKeyDown={(event) => event.key === 'Enter' && event.currentTarget.blur()}
       />
       <IconButton icon="undo" label="Undo" keys="Ctrl Z" disabled={!canUndo.value} onClick={undoStep} />
       <IconButton icon="redo" label="Redo" keys="Ctrl Shift Z" disabled={!canRedo.value} onClick={redoStep} />
