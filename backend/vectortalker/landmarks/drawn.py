@@ -10,7 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import binary_fill_holes, binary_opening, label
+from scipy.ndimage import binary_fill_holes, binary_opening
+from skimage import measure
 from skimage.morphology import convex_hull_image, disk
 
 from vectortalker.landmarks.ibug import IrisDisc, outer_eye_distance
@@ -97,12 +98,17 @@ def _drawn_eye(rgb: NDArray[np.uint8], points: Array, first: int, skin: Array) -
 def _island(unlike: Mask) -> Mask | None:
     """The convex hull of the compact part of `unlike` [SIDE, SIDE] nearest to its middle; None if it is no eye."""
     for radius in THIN:
-        numbers, count = label(binary_opening(unlike, disk(radius)))
-        parts = (np.asarray(binary_fill_holes(numbers == number), bool) for number in range(1, count + 1))
+        numbers = _numbered(unlike, radius)
+        parts = (np.asarray(binary_fill_holes(numbers == n), bool) for n in range(1, int(numbers.max()) + 1))
         eyes = [part for part in parts if _may_be_eye(part)]
         if eyes:
             return np.asarray(convex_hull_image(min(eyes, key=_eccentricity)), bool)
     return None
+
+
+def _numbered(mask: Mask, thin: int) -> NDArray[np.int64]:
+    """Its 4-connected parts without strokes of radius `thin` px, numbered from 1."""
+    return np.asarray(measure.label(binary_opening(mask, disk(thin)), connectivity=1), np.int64)
 
 
 def _may_be_eye(part: Mask) -> bool:
@@ -150,8 +156,8 @@ def _iris(eye: Mask, lightness: Array, contour: Array) -> tuple[Array, float]:
     below = eye & (np.arange(SIDE)[:, None] >= contour[1:3, 1].mean())
     dark, light = np.percentile(lightness[below], (5, 95))
     disc = below & (lightness < (dark + light) / 2) if light - dark > LEAST_SCLERA_CONTRAST else below
-    numbers, count = label(binary_opening(disc, disk(OUTLINE)))
-    if count:
+    numbers = _numbered(disc, OUTLINE)
+    if numbers.any():
         disc = numbers == 1 + np.bincount(numbers.ravel())[1:].argmax()
     rows, columns = np.nonzero(disc)
     radius = np.sqrt(len(rows) / np.pi)
