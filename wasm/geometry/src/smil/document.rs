@@ -76,6 +76,9 @@ fn runs<M: Motion>(writer: &Writer<M>, n: usize, element: impl Fn(usize, Referen
     written
 }
 
+/// Text of an element; characters that no XML document may hold are left out.
 fn escape(text: &str) -> String {
+    let text: String =
+        text.chars().filter(|c| matches!(c, '\t' | '\n' | '\r' | ' '..='\u{fffd}' | '\u{10000}'..)).collect();
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

@@ -172,7 +172,7 @@ fn solid(_: usize) -> Fill {
 }
 
 fn written(tolerance: f64, fills: impl Fn(usize) -> Fill) -> String {
-    let options = Options { duration: DURATION, tolerance, looped: true, title: "a < b", description: "" };
+    let options = Options { duration: DURATION, tolerance, looped: true, title: "a \u{1}< b", description: "" };
     write(&Nodding::picture(fills), &Nodding, &options)
 }
 
