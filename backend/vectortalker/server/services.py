@@ -35,21 +35,17 @@ class Services:
         self.store.close()
 
 
-def open_services(settings: Settings, worker: str | None = None) -> Services:
-    """`worker` is the name of this process if it is to do jobs. Raises `bad_option` for URLs that are none."""
+def open_services(settings: Settings) -> Services:
+    """Raises `bad_option` for URLs that are none."""
     store, queue = _shared(settings.redis) if settings.redis else _embedded(settings)
     blobs = Blobs(settings.blobs or str(settings.data / "blobs"), settings.min_free_bytes)
     jobs = Jobs(store, settings.max_attempts)
 
-    @queue.task(name="do_next")
-    def do_next() -> None:
-        from vectortalker.server.work import do_next  # imports torch: seconds that only a worker has to spend
+    @queue.task(name="a_job_waits")
+    def wake() -> None:
+        """A call, no work: the worker that takes it off the queue asks the store which job is next."""
 
-        assert worker is not None
-        do_next(services, worker)
-
-    services = Services(settings, store, blobs, jobs, Cache(store, blobs, settings.max_cache_bytes), queue, do_next)
-    return services
+    return Services(settings, store, blobs, jobs, Cache(store, blobs, settings.max_cache_bytes), queue, wake)
 
 
 def _embedded(settings: Settings) -> tuple[Store, Huey]:

@@ -37,14 +37,14 @@ def main() -> None:
     name, settings = sys.argv[1], TypeAdapter(Settings).validate_json(sys.stdin.readline())
     threading.Thread(target=_exit_with_supervisor, daemon=True).start()
     set_up_logs(settings.json_logs)
-    services = open_services(settings, name)
+    services = open_services(settings)
     _warm_up()
     patiently(lambda: services.jobs.enlist(name))
     log.info("ready", extra={"worker": name})
     looked = 0.0
     while True:
         try:
-            if not _do_called(services) and time.monotonic() - looked > LOOK_SECONDS:
+            if _called(services) or time.monotonic() - looked > LOOK_SECONDS:
                 looked = time.monotonic()
                 do_next(services, name)
         except OUTAGES:
@@ -55,14 +55,12 @@ def main() -> None:
             time.sleep(OUTAGE_SECONDS)
 
 
-def _do_called(services: Services) -> bool:
-    """Whether there was a call for a worker."""
-    task = services.queue.dequeue()
-    if task is None:
-        time.sleep(IDLE_SECONDS)
-        return False
-    services.queue.execute(task)
-    return True
+def _called(services: Services) -> bool:
+    """Takes a call off the queue, if there is one, or waits a moment."""
+    if services.queue.dequeue() is not None:
+        return True
+    time.sleep(IDLE_SECONDS)
+    return False
 
 
 def _warm_up() -> None:
