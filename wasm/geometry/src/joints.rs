@@ -1,5 +1,6 @@
 //! Repairs kinks: a piecewise affine warp is only C0, so tangents break where a smooth curve passes from one triangle to
-//! the next. Both handles of such a joint are turned onto a common direction between them and keep their lengths.
+//! the next. Both handles of such a joint are turned onto a common direction between them and keep their lengths, unless
+//! that would take them out of their triangle: then they are shortened, so that nothing moves where the mesh rests.
 //!
 //! A handle turns the more, the more its triangle is strained and the less its neighbour is: two triangles strained alike
 //! share the kink, and a piece in a triangle that rests keeps its rest geometry to the last bit. The repair is exact at
@@ -40,6 +41,7 @@ pub fn smooth_joints(path: &SplitPath, mesh: &Mesh) -> Vec<Joint> {
 #[derive(Clone, Debug, Default)]
 pub struct Strains {
     influences: Vec<[Influence; 3]>,
+    rest: Vec<Point>,
 }
 
 impl Strains {
@@ -53,7 +55,7 @@ impl Strains {
             let weights = [share(e1 - e2), share(e2), share(-e1)];
             std::array::from_fn(|i| Influence { vertex: triangle.vertices[i], weight: weights[i] })
         });
-        Self { influences: influences.collect() }
+        Self { influences: influences.collect(), rest: mesh.rest.clone() }
     }
 
     /// Strain of one triangle; exactly 0 where no vertex is displaced.
@@ -62,6 +64,22 @@ impl Strains {
         let shares = self.influences[triangle].iter().map(|i| displacements[i.vertex].complex_mul(i.weight));
         shares.fold(Point::ZERO, |sum, share| sum + share).norm()
     }
+
+    fn corners(&self, triangle: usize, displacements: &[Point]) -> [Point; 3] {
+        self.influences[triangle].map(|i| self.rest[i.vertex] + displacements[i.vertex])
+    }
+}
+
+/// Share of the way from `anchor` to the turned handle `to` that leaves the warped triangle `corners` nowhere further than
+/// the handle `from` did before it turned: a piece whose control points are all inside cannot show outside. The edge that
+/// the anchor lies on is crossed as the tangents on its both sides cross it.
+fn room([a, b, c]: [Point; 3], anchor: Point, from: Point, to: Point) -> f64 {
+    let area = (b - a).cross(c - a);
+    [(a, b), (b, c), (c, a)].into_iter().fold(1.0, |share: f64, (p, q)| {
+        let inside = |z: Point| (q - p).cross(z - p) / area;
+        let (floor, start, end) = (inside(from).min(0.0), inside(anchor), inside(to));
+        if start > ON_EDGE && end < floor { share.min((start - floor) / (start - end)) } else { share }
+    })
 }
 
 /// Turns the handles at `joints` of a closed path, warped by `displacements`, onto a common direction.
@@ -82,14 +100,19 @@ pub fn repair(points: &mut [Point], joints: &[Joint], strains: &Strains, displac
         }
         let between = unit_a * strain_b + unit_b * strain_a;
         let direction = between * (1.0 / between.norm());
-        if strain_a > 0.0 {
-            points[arriving] = points[anchor] - direction * length_a;
-        }
-        if strain_b > 0.0 {
-            points[leaving] = points[anchor] + direction * length_b;
+        let sides = [(strain_a, arriving, direction * -length_a), (strain_b, leaving, direction * length_b)];
+        for ((strain, handle, turned), triangle) in sides.into_iter().zip(joint.triangles) {
+            if strain > 0.0 {
+                let corners = strains.corners(triangle, displacements);
+                let share = room(corners, points[anchor], points[handle], points[anchor] + turned);
+                points[handle] = points[anchor] + turned * share;
+            }
         }
     }
 }
+
+/// Barycentric coordinate up to which an anchor lies on an edge.
+const ON_EDGE: f64 = 1e-9;
 
 /// Cosine between two tangents below which a joint has become a cusp (turned by more than 150°) with no useful direction.
 const CUSP: f64 = -0.866;
@@ -106,4 +129,26 @@ pub fn largest_kink(points: &[Point], joints: &[Joint]) -> f64 {
             a.cross(b).atan2(a.dot(b)).abs().to_degrees()
         })
         .fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CORNERS: [Point; 3] = [Point { x: 0.0, y: 0.0 }, Point { x: 4.0, y: 0.0 }, Point { x: 0.0, y: 4.0 }];
+
+    #[test]
+    fn a_handle_turned_out_of_its_triangle_stops_at_the_edge() {
+        let (anchor, from, to) = (Point::new(0.0, 2.0), Point::new(1.0, 2.0), Point::new(1.0, -2.0));
+        assert!((room(CORNERS, anchor, from, to) - 0.5).abs() < 1e-6);
+        let mirrored = CORNERS.map(|corner| Point::new(-corner.x, corner.y));
+        assert!((room(mirrored, anchor, Point::new(-1.0, 2.0), Point::new(-1.0, -2.0)) - 0.5).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_handle_that_stays_inside_or_goes_out_no_further_keeps_its_length() {
+        let anchor = Point::new(0.0, 2.0);
+        assert_eq!(room(CORNERS, anchor, Point::new(1.0, 2.0), Point::new(1.0, 1.0)), 1.0);
+        assert_eq!(room(CORNERS, anchor, Point::new(1.0, -2.0), Point::new(2.0, -1.5)), 1.0);
+    }
 }
