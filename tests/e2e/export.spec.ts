@@ -3,16 +3,13 @@ import { readFile } from 'node:fs/promises';
 import { type Download, expect, type Page, test } from '@playwright/test';
 import { ALL_FORMATS, BufferSource, Input } from 'mediabunny';
 import { difference } from './pixels';
-import { portraitFile } from './portrait';
+import { openPortraitOfNumbers } from './portrait';
 
 const DURATION = 1.2; // seconds of the portrait's track
 const FPS = 25;
 
 test.beforeEach(async ({ page }) => {
-  await page.goto('/');
-  const dialog = page.waitForEvent('filechooser');
-  await page.getByRole('button', { name: 'Open', exact: true }).click();
-  await (await dialog).setFiles({ name: 'numbers.vtalk', mimeType: 'application/zip', buffer: portraitFile() });
+  await openPortraitOfNumbers(page);
   await page.getByText('Export', { exact: true }).click();
 });
 

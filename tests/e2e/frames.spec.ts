@@ -1,14 +1,10 @@
 /** What a frame writes into the picture: no more than moves, and at the end exactly the pose. */
 import { expect, type Page, test } from '@playwright/test';
 import { settled } from './editor';
-import { portraitFile } from './portrait';
+import { openPortraitOfNumbers } from './portrait';
 
 test.beforeEach(async ({ page }) => {
-  await page.goto('/');
-  const dialog = page.waitForEvent('filechooser');
-  await page.getByRole('button', { name: 'Open', exact: true }).click();
-  await (await dialog).setFiles({ name: 'numbers.vtalk', mimeType: 'application/zip', buffer: portraitFile() });
-  await expect(page.getByRole('spinbutton', { name: 'Jaw, value' })).toBeEnabled();
+  await openPortraitOfNumbers(page);
   await settled(page);
 });
 

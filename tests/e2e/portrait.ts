@@ -1,10 +1,20 @@
 /** A small layered portrait made from numbers, as a `.vtalk` file, so that tests of a finished scene need no optimiser. */
+import { expect, type Page } from '@playwright/test';
 import { strToU8, zipSync } from 'fflate';
 import type { LocalPath, Project, Scene, ScenePath } from '../../web/src/api/schema';
 
 const N_SEGMENTS = 6;
 const DURATION = 1.2; // seconds
 const FPS = 25;
+
+/** A fresh page with the portrait of numbers open, ready to be posed. */
+export async function openPortraitOfNumbers(page: Page): Promise<void> {
+  await page.goto('/');
+  const dialog = page.waitForEvent('filechooser');
+  await page.getByRole('button', { name: 'Open', exact: true }).click();
+  await (await dialog).setFiles({ name: 'numbers.vtalk', mimeType: 'application/zip', buffer: portraitFile() });
+  await expect(page.getByRole('spinbutton', { name: 'Jaw, value' })).toBeEnabled();
+}
 
 export function portraitFile(): Buffer {
   const project: Project = {

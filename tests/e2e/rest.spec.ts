@@ -1,13 +1,10 @@
 /** The tool that corrects the rest hides poses, so whatever poses the portrait takes the pose tool. */
 import { expect, test } from '@playwright/test';
 import { pathData, settled } from './editor';
-import { portraitFile } from './portrait';
+import { openPortraitOfNumbers } from './portrait';
 
 test.beforeEach(async ({ page }) => {
-  await page.goto('/');
-  const dialog = page.waitForEvent('filechooser');
-  await page.getByRole('button', { name: 'Open', exact: true }).click();
-  await (await dialog).setFiles({ name: 'numbers.vtalk', mimeType: 'application/zip', buffer: portraitFile() });
+  await openPortraitOfNumbers(page);
   await page.getByRole('button', { name: 'Adjust the landmarks' }).click();
   await settled(page);
 });

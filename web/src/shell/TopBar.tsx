@@ -1,11 +1,12 @@
 /** The bar above everything: name, undo, theme, help, open, save, export. */
 import type { JSX } from 'preact';
 import { ExportMenu } from '../export/ExportMenu';
+import { offerDeletion } from '../project/deletion';
 import { openProjectFile, saveProject } from '../project/files';
 import { redoStep, undoStep } from '../store/editing';
 import { nextTheme } from '../store/looking';
 import { report } from '../store/notices';
-import { closePortrait, offerDeletion, rename } from '../store/opening';
+import { closePortrait, rename } from '../store/opening';
 import { canRedo, canUndo, documentName, scene, session, shortcutsShown, theme } from '../store/state';
 import { Button, IconButton } from './Button';
 import type { IconName } from './icons';

@@ -1,7 +1,6 @@
 /** Actions that bring a portrait onto the stage: picture, faces, landmarks, job. */
-import { deletePortrait, getFaces, getPortraitImage, postPortrait, RequestError } from '../api/client';
+import { getFaces, getPortraitImage, postPortrait } from '../api/client';
 import type { Face, Landmarks, Portrait } from '../api/schema';
-import { deleteRecording } from '../api/speech';
 import { cancelListening } from '../speech/listening';
 import { editOf, withLandmarks } from './edit';
 import { apply } from './editing';
@@ -33,41 +32,6 @@ export async function openPicture(picture: Blob, name: string): Promise<void> {
 export function closePortrait(): void {
   startOpening();
   session.value = { kind: 'welcome' };
-}
-
-/** Asks before it deletes: unlike everything else here, this cannot be undone. */
-export function offerDeletion(): void {
-  const open = portrait.value;
-  if (!open) return;
-  tell({
-    kind: 'advice',
-    text: `Delete “${edit.value.name}” for good, here and on the server?`,
-    action: {
-      label: 'Delete',
-      run: () =>
-        void deleteForGood(
-          open.id,
-          clips.value.flatMap(({ id }) => id ?? []),
-        ),
-    },
-  });
-}
-
-async function deleteForGood(portraitId: string | null, recordingIds: readonly string[]): Promise<void> {
-  closePortrait();
-  try {
-    await Promise.all([...(portraitId ? [deletePortrait(portraitId)] : []), ...recordingIds.map(deleteRecording)].map(unlessGone));
-    announce('Deleted');
-  } catch (error) {
-    report(error, { label: 'Delete it on the server', run: () => void deleteForGood(portraitId, recordingIds) });
-  }
-}
-
-/** What the server has dropped by itself needs no deleting. */
-async function unlessGone(deletion: Promise<void>): Promise<void> {
-  await deletion.catch((error: unknown) => {
-    if (!(error instanceof RequestError && error.code === 'not_found')) throw error;
-  });
 }
 
 /** One of several faces was picked. */
