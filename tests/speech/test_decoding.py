@@ -98,6 +98,16 @@ def test_a_sound_that_is_not_heard_gets_its_place_all_the_same() -> None:
     assert "PP" in [block.viseme for block in align(sure_of(spoken), [["aa", "PP"]])]
 
 
+def test_boundary_that_cannot_be_heard_gives_both_sounds_their_usual_length() -> None:
+    weights = np.full((30, len(VISEMES)), 1e-3)
+    weights[:10, VISEMES.index("SS")] = weights[20:, VISEMES.index("SS")] = 1.0
+    weights[10:20, VISEMES.index("E")] = 0.5
+    weights[10:20, VISEMES.index("RR")] = 0.5
+    blocks = align(log_posteriors(weights), [["SS", "E", "RR", "SS"]])
+    lengths = {block.viseme: round(block.duration * FPS) for block in blocks[1:3]}
+    assert lengths == {"E": 5, "RR": 5}  # medians 75 and 65 ms
+
+
 def test_more_sounds_than_frames_are_refused() -> None:
     with pytest.raises(VectorTalkerError, match=r"too many for 0\.1 s"):
         align(sure_of(["aa"] * 5), [["aa", "PP"] * 10])

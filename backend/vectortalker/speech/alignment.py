@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from vectortalker.errors import VectorTalkerError
 from vectortalker.speech.coarticulation import FPS
 from vectortalker.speech.decoding import Posteriors, blocks_of_classes
+from vectortalker.speech.durations import settled
 from vectortalker.speech.visemes import SILENCE, VISEMES, Block
 
 MAX_CELLS = 200_000_000  # of the table of steps, a byte each: 10 minutes of speech have 180 million
@@ -30,15 +31,15 @@ def align(log_posteriors: Posteriors, words: list[list[str]]) -> list[Block]:
             "bad_option",
             f"The transcript has {len(states)} sounds, too many for {seconds:.1f} s: cut it to what is said.",
         )
-    scores = np.maximum(log_posteriors, np.where(np.arange(len(VISEMES)) == SILENCE, SILENT_FLOOR, FLOOR))[:, states]
-    path, total = _best_path(scores, is_optional)
+    scores = np.maximum(log_posteriors, np.where(np.arange(len(VISEMES)) == SILENCE, SILENT_FLOOR, FLOOR))
+    path, total = _best_path(scores[:, states], is_optional)
     fit = total / max(1, n_frames)
     if fit < LEAST_FIT:
         figures = f"fit {fit:.2f}, at least {LEAST_FIT} is needed"
         raise VectorTalkerError(
             "bad_option", f"The transcript does not fit the recording ({figures}): check text and language."
         )
-    return blocks_of_states(path, states)
+    return blocks_of_states(scores, path, states)
 
 
 def _states(words: list[list[str]]) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
@@ -73,6 +74,9 @@ def _best_path(scores: NDArray[np.float32], is_optional: NDArray[np.bool_]) -> t
     return path, total
 
 
-def blocks_of_states(path: NDArray[np.int64], states: NDArray[np.int64]) -> list[Block]:
-    """Blocks of runs of equal visemes along `path`."""
-    return blocks_of_classes(states[path])
+def blocks_of_states(scores: NDArray[np.float32], path: NDArray[np.int64], states: NDArray[np.int64]) -> list[Block]:
+    """Blocks of the visemes of `states` along `path`, boundaries settled by `scores` [n, 15] and usual lengths."""
+    starts = np.concatenate([[0], np.flatnonzero(np.diff(path)) + 1])
+    classes = states[path[starts]]
+    ends = settled(scores.astype(np.float64), classes, np.append(starts[1:], len(path)))
+    return blocks_of_classes(np.repeat(classes, np.diff(ends, prepend=0)))
