@@ -196,3 +196,31 @@ def test_full_disk_loses_nothing_that_was_kept(small_disk: Path) -> None:
     reopened.jobs.create("after", "vectorize", None, "ada")
     assert reopened.jobs.get("after").phase == "queued"
     reopened.close()
+
+
+@pytest.mark.parametrize("is_new", [True, False], ids=["new", "used"])
+def test_start_on_a_full_disk_says_so_and_keeps_what_is_there(small_disk: Path, is_new: bool) -> None:
+    settings = Settings(data=small_disk / "data", min_free_bytes=0)
+    if not is_new:
+        used = open_services(settings)
+        used.jobs.create("kept", "vectorize", None, "ada")
+        used.close()
+    filling = small_disk / "filling"
+    with pytest.raises(OSError, match="No space left"), filling.open("wb", buffering=0) as file:
+        while True:
+            file.write(bytes(4096))
+    with pytest.raises(VectorTalkerError) as caught:
+        open_services(settings)
+    assert caught.value.code == "storage_full"
+    filling.unlink()
+    reopened = open_services(settings)
+    if not is_new:
+        assert reopened.jobs.get("kept").phase == "queued"
+    reopened.close()
+
+
+def test_job_is_kept_when_no_worker_can_be_called(services: Services, caplog: pytest.LogCaptureFixture) -> None:
+    """The queue's table is gone: the job is stored all the same, since workers look for jobs by themselves."""
+    services.queue.storage.conn.execute("DROP TABLE task")
+    services.wake()
+    assert "no worker could be called" in caplog.text

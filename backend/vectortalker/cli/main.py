@@ -9,7 +9,7 @@ import sys
 from vectortalker.errors import ErrorCode, VectorTalkerError
 
 COMMANDS = ("vectorize", "landmarks", "speech", "animate", "talk", "batch", "serve", "worker")
-OURS: tuple[ErrorCode, ...] = ("internal", "storage_full", "queue_full")  # not the user's fault
+OURS: tuple[ErrorCode, ...] = ("internal", "storage_full", "queue_full", "unavailable")  # not the user's fault
 INTERRUPTED = 130  # 128 + SIGINT, as shells have it
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import errno
 import secrets
 import shutil
 from pathlib import Path
@@ -11,15 +10,14 @@ import fsspec
 from fsspec.implementations.dirfs import DirFileSystem
 
 from vectortalker.errors import VectorTalkerError
-
-OUT_OF_SPACE = (errno.ENOSPC, errno.EDQUOT)
+from vectortalker.server.disk import full_disk_told, storage_full
 
 
 class Blobs:
     """Keys are relative paths made by the server from its own ids, never from a client's names."""
 
     def __init__(self, place: str, min_free_bytes: int) -> None:
-        """`place` is a folder or a URL of fsspec. Raises `bad_option` if nothing here can open it."""
+        """`place` is a folder or a URL of fsspec. Raises `bad_option` if nothing here opens it, `storage_full`."""
         try:
             files, path = fsspec.core.url_to_fs(place)
         except (ValueError, ImportError) as error:
@@ -28,7 +26,8 @@ class Blobs:
         self._local = Path(path) if "file" in files.protocol else None
         if self._local:
             files = fsspec.filesystem("file", auto_mkdir=True)
-            self._local.mkdir(parents=True, exist_ok=True)
+            with full_disk_told():
+                self._local.mkdir(parents=True, exist_ok=True)
         self._files = DirFileSystem(path=path, fs=files)
 
     def put(self, key: str, data: bytes) -> None:
@@ -37,16 +36,15 @@ class Blobs:
             return self._files.pipe_file(key, data)  # object stores show an object when it is whole
         free = self.free_bytes()
         if free is not None and free < self._min_free_bytes + len(data):
-            raise _full(free)
+            raise storage_full(free)
         part = f"{key}.{secrets.token_hex(4)}.part"
         try:
-            self._files.pipe_file(part, data)
-            self._files.mv(part, key)
-        except OSError as error:
+            with full_disk_told():
+                self._files.pipe_file(part, data)
+                self._files.mv(part, key)
+        except Exception:
             if self._files.exists(part):
                 self._files.rm(part)
-            if error.errno in OUT_OF_SPACE:
-                raise _full(0) from error
             raise
 
     def get(self, key: str) -> bytes:
@@ -86,9 +84,3 @@ class Blobs:
     def free_bytes(self) -> int | None:
         """Of the disk; None for object stores, which do not say."""
         return shutil.disk_usage(self._local).free if self._local else None
-
-
-def _full(free: int) -> VectorTalkerError:
-    return VectorTalkerError(
-        "storage_full", f"The server's disk is full ({free / 1e6:.0f} MB free): delete portraits or try again later."
-    )

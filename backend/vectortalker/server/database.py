@@ -8,6 +8,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from vectortalker.errors import VectorTalkerError
+from vectortalker.server.disk import full_disk_told
+
 BUSY_SECONDS = 10.0  # longer than any transaction here by three orders of magnitude
 
 
@@ -43,6 +46,16 @@ class Database:
         with self._writing, self._reading:
             self._reader.close()
             self._writer.close()
+
+
+@contextmanager
+def translated() -> Iterator[None]:
+    """What SQLite and its folder may fail with becomes `storage_full` or `unavailable`."""
+    try:
+        with full_disk_told():
+            yield
+    except sqlite3.OperationalError as error:
+        raise VectorTalkerError("unavailable", f"The server's store does not answer ({error}): try again.") from error
 
 
 def _connect(path: Path) -> sqlite3.Connection:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import logging
+import sqlite3
 from collections.abc import Callable
 from dataclasses import dataclass
 
+import redis
 from huey import Huey, RedisHuey, SqliteHuey
 
 from vectortalker.errors import VectorTalkerError
 from vectortalker.server.blobs import Blobs
 from vectortalker.server.cache import Cache
+from vectortalker.server.database import translated
 from vectortalker.server.jobs import Jobs
 from vectortalker.server.redis_store import RedisStore
 from vectortalker.server.settings import Settings
@@ -17,11 +21,12 @@ from vectortalker.server.sqlite_store import SqliteStore
 from vectortalker.server.store import Store
 
 QUEUE = "vectortalker"
+log = logging.getLogger("vectortalker.server")
 
 
 @dataclass(frozen=True)
 class Services:
-    """`wake` tells some idle worker that a job waits; once too often is harmless, too seldom costs a second."""
+    """`wake` tells some idle worker that a job waits; once too often is harmless, too seldom costs two seconds."""
 
     settings: Settings
     store: Store
@@ -36,21 +41,28 @@ class Services:
 
 
 def open_services(settings: Settings) -> Services:
-    """Raises `bad_option` for URLs that are none."""
+    """Raises `bad_option` for URLs that are none, `unavailable` and `storage_full`."""
     store, queue = _shared(settings.redis) if settings.redis else _embedded(settings)
     blobs = Blobs(settings.blobs or str(settings.data / "blobs"), settings.min_free_bytes)
     jobs = Jobs(store, settings.max_attempts)
 
     @queue.task(name="a_job_waits")
+    def call() -> None:
+        """No work: the worker that takes it off the queue asks the store which job is next."""
+
     def wake() -> None:
-        """A call, no work: the worker that takes it off the queue asks the store which job is next."""
+        try:
+            call()
+        except (sqlite3.Error, redis.RedisError) as error:  # the job is stored, and workers look by themselves too
+            log.warning("no worker could be called: %s", error)
 
     return Services(settings, store, blobs, jobs, Cache(store, blobs, settings.max_cache_bytes), queue, wake)
 
 
 def _embedded(settings: Settings) -> tuple[Store, Huey]:
     store = SqliteStore(settings.data / "state.sqlite")
-    return store, SqliteHuey(QUEUE, results=False, filename=str(settings.data / "queue.sqlite"))
+    with translated():
+        return store, SqliteHuey(QUEUE, results=False, filename=str(settings.data / "queue.sqlite"))
 
 
 def _shared(url: str) -> tuple[Store, Huey]:

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import sqlite3
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from math import inf
 from pathlib import Path
 
-from vectortalker.errors import VectorTalkerError
-from vectortalker.server.database import Database
+from vectortalker.server.database import Database, translated
 from vectortalker.server.store import Change
 
 TABLES = """
@@ -29,11 +26,11 @@ class SqliteStore:
     """Implements `Store`."""
 
     def __init__(self, path: Path) -> None:
-        with _translated():
+        with translated():
             self._database = Database(path, TABLES)
 
     def read(self, keys: Sequence[str]) -> list[str | None]:
-        with _translated():
+        with translated():
             marks = ", ".join("?" * len(keys))
             rows = self._database.rows(f"SELECT key, value FROM documents WHERE key IN ({marks})", *keys)
         values = {row["key"]: row["value"] for row in rows}
@@ -41,28 +38,28 @@ class SqliteStore:
 
     def members(self, index: str, below: float = inf, limit: int | None = None) -> list[str]:
         query = "SELECT member FROM ranks WHERE list = ? AND score < ? ORDER BY score, member LIMIT ?"
-        with _translated():
+        with translated():
             return [row["member"] for row in self._database.rows(query, index, below, -1 if limit is None else limit)]
 
     def count(self, index: str, below: float = inf) -> int:
-        with _translated():
+        with translated():
             rows = self._database.rows("SELECT count(*) AS n FROM ranks WHERE list = ? AND score < ?", index, below)
         return rows[0]["n"]
 
     def number(self, counter: str) -> int:
-        with _translated():
+        with translated():
             rows = self._database.rows("SELECT number FROM counters WHERE name = ?", counter)
         return rows[0]["number"] if rows else 0
 
     def count_up(self, counter: str) -> int:
-        with _translated(), self._database.change() as sql:
+        with translated(), self._database.change() as sql:
             sql.execute(
                 "INSERT INTO counters VALUES (?, 1) ON CONFLICT (name) DO UPDATE SET number = number + 1", (counter,)
             )
             return sql.execute("SELECT number FROM counters WHERE name = ?", (counter,)).fetchone()["number"]
 
     def commit(self, change: Change) -> bool:
-        with _translated(), self._database.change() as sql:
+        with translated(), self._database.change() as sql:
             for key, value in change.expected.items():
                 row = sql.execute("SELECT value FROM documents WHERE key = ?", (key,)).fetchone()
                 if (row["value"] if row else None) != value:
@@ -81,13 +78,3 @@ class SqliteStore:
 
     def close(self) -> None:
         self._database.close()
-
-
-@contextmanager
-def _translated() -> Iterator[None]:
-    try:
-        yield
-    except sqlite3.OperationalError as error:
-        if error.sqlite_errorcode & 0xFF == sqlite3.SQLITE_FULL:
-            raise VectorTalkerError("storage_full", "The server's disk is full: try again later.") from error
-        raise VectorTalkerError("unavailable", f"The server's store does not answer ({error}): try again.") from error
