@@ -60,5 +60,6 @@ def _session(name: ModelName) -> onnxruntime.InferenceSession:
         )
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = N_THREADS
+    options.add_session_config_entry("session.intra_op.allow_spinning", "0")  # waiting threads leave the core to others
     options.log_severity_level = 3  # errors only: the converted graphs warn about unused initialisers
     return onnxruntime.InferenceSession(weights, options, providers=["CPUExecutionProvider"])

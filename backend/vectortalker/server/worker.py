@@ -24,6 +24,7 @@ from vectortalker.server.work import do_next
 from vectortalker.vectorize import vectorize
 
 IDLE_SECONDS = 0.05
+NICENESS = 5  # a third of the weight of the server, so that pages and uploads need not wait for jobs
 LOOK_SECONDS = 2.0  # a worker that was not called looks for jobs by itself, since a call may be lost
 OUTAGE_SECONDS = 1.0
 OUTAGES = (sqlite3.Error, redis.RedisError, OSError)
@@ -37,6 +38,7 @@ def main() -> None:
     name, settings = sys.argv[1], TypeAdapter(Settings).validate_json(sys.stdin.readline())
     threading.Thread(target=_exit_with_supervisor, daemon=True).start()
     set_up_logs(settings.json_logs)
+    _stand_back()
     services = open_services(settings)
     _warm_up()
     patiently(lambda: services.jobs.enlist(name))
@@ -68,6 +70,11 @@ def _warm_up() -> None:
     grey = decode.Portrait(np.full((64, 64, 3), 128, np.uint8), None, "warm-up", ())
     for _ in vectorize(grey, None, WARM_UP, finish_early=lambda: False, resume=None):
         pass
+
+
+def _stand_back() -> None:
+    if hasattr(os, "nice"):
+        os.nice(NICENESS)
 
 
 def _exit_with_supervisor() -> None:
