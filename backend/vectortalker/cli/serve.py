@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 PORT = 8000
 SHUTDOWN_SECONDS = 2  # open event streams are cut after this
+KEEP_ALIVE_SECONDS = 75  # longer than clients pause, so that none sends on a connection that is just being closed
 JOIN_SECONDS = 10.0  # for a supervisor that waits for an unreachable store; workers end with the server in any case
 ANY_HOST = ("0.0.0.0", "::")
 LOCAL_NAMES = ("localhost",)
@@ -95,6 +96,7 @@ def _server(services: Services, host: str, port: int) -> uvicorn.Server:
         log_config=None,
         access_log=False,
         timeout_graceful_shutdown=SHUTDOWN_SECONDS,
+        timeout_keep_alive=KEEP_ALIVE_SECONDS,
         server_header=False,
     )
     return uvicorn.Server(config)
