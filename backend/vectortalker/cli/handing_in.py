@@ -15,7 +15,6 @@ from vectortalker.decode import Limits
 from vectortalker.errors import VectorTalkerError
 from vectortalker.schema import JobRequest, Scene, VectorizeOptions
 from vectortalker.server import portraits
-from vectortalker.server.record import ENDED
 from vectortalker.server.removal import remove_portrait
 from vectortalker.server.run import folder, patiently
 from vectortalker.server.services import Services
@@ -49,7 +48,7 @@ def hand_in(
                 continue
             if path and entered is not None:
                 yield path, entered
-            for job in [job for job in handed_in if _has_ended(services, job)]:
+            for job in _ended(services, handed_in):
                 outcome = _outcome(services, job)
                 _clear(services, job)
                 handed_in.remove(job)
@@ -78,8 +77,9 @@ def _enter(
     return _HandedIn(path, portrait.id, job.id)
 
 
-def _has_ended(services: Services, job: _HandedIn) -> bool:
-    return patiently(lambda: services.jobs.get(job.job_id)).phase in ENDED
+def _ended(services: Services, handed_in: list[_HandedIn]) -> list[_HandedIn]:
+    ended = set(patiently(lambda: services.jobs.ended_of([job.job_id for job in handed_in])))
+    return [job for job in handed_in if job.job_id in ended]
 
 
 def _outcome(services: Services, job: _HandedIn) -> Traced | VectorTalkerError:

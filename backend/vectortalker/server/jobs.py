@@ -102,6 +102,15 @@ class Jobs:
         self._change(job_id, transitions.cancelled)
         return self.get(job_id)
 
+    def ended_of(self, job_ids: list[str]) -> list[str]:
+        """Those that have ended or are not known; one read, however many wait."""
+        texts = self._store.read([records.document(job_id) for job_id in job_ids])
+        return [
+            job_id
+            for job_id, text in zip(job_ids, texts, strict=True)
+            if text is None or records.read(text).state.phase in ENDED
+        ]
+
     def of_portrait(self, portrait_id: str) -> list[str]:
         return self._store.members(records.portrait_index(portrait_id))
 
