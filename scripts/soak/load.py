@@ -1,4 +1,4 @@
-"""Many clients with many jobs at once: how long page, uploads and job requests take while the worker is busy.
+"""Many clients, each with many jobs at once: how long page and uploads take while these are worked on.
 
 `python -m scripts.soak.load [CLIENTS] [JOBS]` from the repository's root. Each client has an address of its own on the
 loopback network. Every job must end; the server's memory is read before and after.
@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 import random
-import re
 import sys
 import tempfile
 import threading
@@ -19,13 +18,13 @@ from pathlib import Path
 import httpx
 import numpy as np
 
-from scripts.soak.deployment import START_SECONDS, Deployment, wait
+from scripts.soak.deployment import START_SECONDS, Deployment, megabytes, wait
 from tests.server.pictures import picture
 
 CLIENTS = 20
 JOBS = 200
 TINY = {"paths": 16, "levels": 1, "iterations": 8, "final_iterations": 8, "working_size": 64}
-PAUSE_SECONDS = 0.5  # mean, between two requests of a client, as a person has it
+PAUSE_SECONDS = 5.0  # mean, between two pictures of a client
 MEDIAN_LIMIT, P99_LIMIT = 0.2, 1.0  # seconds
 ENDED = ("done", "failed", "cancelled")
 
@@ -50,34 +49,38 @@ class Times:
         return good
 
 
-def use(url: str, number: int, n_jobs: int, times: Times, jobs: list[str]) -> None:
-    """One client: the page, an upload, and a job on it, again and again; then its jobs are watched to their end."""
-    transport = httpx.HTTPTransport(local_address=f"127.0.0.{number + 2}")
-    mine = []
-    with httpx.Client(base_url=url, transport=transport, timeout=60) as client:
-        for i in range(n_jobs):
-            times.request(client, "page", "GET", "/")
-            files = {"file": ("waves.png", picture(400 + number, 600 + i))}
-            portrait = times.request(client, "upload", "POST", "/api/portraits", files=files).json()
-            body = {"portrait_id": portrait["id"], "options": {**TINY, "seed": i}}
-            answer = times.request(client, "job", "POST", "/api/jobs", json=body)
-            assert answer.status_code == 202, answer.text
-            mine.append(answer.json()["id"])
-            time.sleep(random.expovariate(1 / PAUSE_SECONDS))
+class Client:
+    """Hands in its jobs at once, then uses page and uploads as a person does until all of them have ended."""
+
+    def __init__(self, url: str, number: int, times: Times) -> None:
+        transport = httpx.HTTPTransport(local_address=f"127.0.0.{number + 2}")
+        self._http = httpx.Client(base_url=url, transport=transport, timeout=60)
+        self._times = times
+        self._picture = picture(400 + number, 600)  # made before anything is timed
+
+    def use(self, n_jobs: int, jobs: list[str]) -> None:
+        portrait_id = self._upload()
+        mine = [self._start(portrait_id, seed) for seed in range(n_jobs)]
         jobs += mine
         while mine:
-            times.request(client, "page", "GET", "/")
-            state = times.request(client, "state", "GET", f"/api/jobs/{mine[0]}").json()
-            if state["phase"] in ENDED:
+            time.sleep(random.expovariate(1 / PAUSE_SECONDS))
+            self._upload()
+            while mine and self._has_ended(mine[0]):
                 mine.pop(0)
-            else:
-                time.sleep(random.expovariate(1 / PAUSE_SECONDS))
 
+    def _upload(self) -> str:
+        self._times.request(self._http, "page", "GET", "/")
+        files = {"file": ("waves.png", self._picture)}
+        return self._times.request(self._http, "upload", "POST", "/api/portraits", files=files).json()["id"]
 
-def megabytes(pid: int) -> float:
-    found = re.search(r"VmRSS:\s+(\d+) kB", Path(f"/proc/{pid}/status").read_text())
-    assert found is not None, pid
-    return int(found.group(1)) / 1000
+    def _has_ended(self, job_id: str) -> bool:
+        return self._times.request(self._http, "state", "GET", f"/api/jobs/{job_id}").json()["phase"] in ENDED
+
+    def _start(self, portrait_id: str, seed: int) -> str:
+        body = {"portrait_id": portrait_id, "options": {**TINY, "seed": seed}}
+        answer = self._times.request(self._http, "job", "POST", "/api/jobs", json=body)
+        assert answer.status_code == 202, answer.text
+        return answer.json()["id"]
 
 
 def main() -> int:
@@ -87,10 +90,10 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as folder, Deployment(Path(folder), shared=False) as deployment:
         deployment.wait_for_workers()
         wait(lambda: deployment.health().get("running") == 0, START_SECONDS, "the worker is idle")
-        before, load = megabytes(deployment.server.pid), os.getloadavg()[0]
+        before, load = megabytes(deployment.server.pid), os.getloadavg()
+        users = [Client(deployment.url, number, times) for number in range(clients)]
         began = time.monotonic()
-        arguments = (deployment.url, n_jobs // clients, times, jobs)
-        threads = [threading.Thread(target=use, args=(arguments[0], i, *arguments[1:])) for i in range(clients)]
+        threads = [threading.Thread(target=user.use, args=(n_jobs // clients, jobs)) for user in users]
         for thread in threads:
             thread.start()
         for thread in threads:
@@ -99,7 +102,10 @@ def main() -> int:
         phases = Counter(httpx.get(f"{deployment.url}/api/jobs/{job_id}").json()["phase"] for job_id in jobs)
     good = times.report()
     print(f"load: {clients} clients, {len(jobs)} jobs in {seconds:.0f} s: {dict(phases)}")
-    print(f"load: server {before:.0f} MB before, {after:.0f} MB after; load average {load:.1f} before the start")
+    print(
+        f"load: server {before:.0f} MB before, {after:.0f} MB after; load average {load[0]:.1f} before,"
+        f" {os.getloadavg()[0]:.1f} after"
+    )
     return 0 if good and set(phases) <= {"done", "cancelled"} and len(jobs) == n_jobs else 1
 
 
