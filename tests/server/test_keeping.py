@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import multiprocessing
-import subprocess
 import time
 from collections.abc import Iterator
 from dataclasses import replace
@@ -16,6 +15,7 @@ from vectortalker.schema import JobRequest, Metrics, VectorizeOptions
 from vectortalker.server import portraits
 from vectortalker.server.blobs import Blobs
 from vectortalker.server.cache import Cache, CachedResult
+from vectortalker.server.orphans import remove_orphans
 from vectortalker.server.removal import sweep
 from vectortalker.server.services import Services, open_services
 from vectortalker.server.settings import Settings
@@ -23,6 +23,7 @@ from vectortalker.server.sqlite_store import SqliteStore
 from vectortalker.server.store import Store
 
 from .pictures import picture
+from .small_disk import REASON, fill, small_disk
 from .test_api import refused, start_job, upload
 
 COUNTS = dict.fromkeys(("paths", "segments", "parameters", "iterations", "bytes", "gzip_bytes"), 1)
@@ -50,7 +51,7 @@ def cache(store: Store, blobs: Blobs) -> Cache:
 
 
 def files(blobs: Blobs, folder: str) -> list[str]:
-    return blobs.folders(folder)
+    return blobs.names(folder)
 
 
 def test_same_picture_and_request_is_known_whatever_the_portrait_is_called(cache: Cache) -> None:
@@ -143,6 +144,24 @@ def test_unused_things_are_removed_when_their_time_is_over(client: httpx.Client,
     assert stored_files(services) == []
 
 
+def test_files_without_a_record_are_removed_in_time(client: httpx.Client, services: Services) -> None:
+    """As after crashes between a job's request and its record, and between a cached result and its entry."""
+    portrait_id = upload(client, picture()).json()["id"]
+    job_id = start_job(client, portrait_id).json()["id"]
+    services.cache.add("picture", request(1), result())
+    kept = set(stored_files(services))
+    for key in ("jobs/lost/request.json", "portraits/lost/source", "cache/lost.json", "cache/lost.json.1234.part"):
+        services.blobs.put(key, b"{}")
+    services.blobs.put("jobs/soon/request.json", b"{}")
+    remove_orphans(services)
+    assert len(stored_files(services)) == len(kept) + 5, "none was seen for long"
+    services.jobs.create("soon", "vectorize", portrait_id, "ada")
+    remove_orphans(services, patience_seconds=-1)
+    left = set(stored_files(services)) - kept
+    assert {file.parent.name for file in left} == {"soon"} and services.jobs.get(job_id).phase == "queued"
+    assert kept <= set(stored_files(services)) and services.store.members("orphans") == []
+
+
 def test_use_keeps_a_portrait(client: httpx.Client, services: Services) -> None:
     portrait_id = upload(client, picture()).json()["id"]
     uploaded = time.time()
@@ -160,26 +179,24 @@ def in_memory() -> Iterator[Blobs]:
 def test_blobs_lie_in_any_store_of_fsspec(in_memory: Blobs) -> None:
     in_memory.put("jobs/a/scene.json", b"1")
     in_memory.put("jobs/a/scene.json", b"2")
-    assert in_memory.get("jobs/a/scene.json") == b"2" and in_memory.folders("jobs") == ["a"]
+    assert in_memory.get("jobs/a/scene.json") == b"2" and in_memory.names("jobs") == ["a"]
     in_memory.delete_folder("jobs/a")
     assert in_memory.find("jobs/a/scene.json") is None and in_memory.free_bytes() is None
 
 
 @pytest.fixture
-def small_disk(tmp_path: Path) -> Iterator[Path]:
-    """A disk of 3 MB."""
+def disk(tmp_path: Path) -> Iterator[Path]:
+    """Of 3 MB."""
     folder = tmp_path / "disk"
-    folder.mkdir()
-    mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=3m", "tmpfs", str(folder)], capture_output=True)
-    if mounted.returncode != 0:
-        pytest.skip("mounting a small disk needs root")
-    yield folder
-    subprocess.run(["umount", "--lazy", str(folder)], check=True)
+    with small_disk(folder, 3) as mounted:
+        if not mounted:
+            pytest.skip(REASON)
+        yield folder
 
 
-def test_full_disk_loses_nothing_that_was_kept(small_disk: Path) -> None:
+def test_full_disk_loses_nothing_that_was_kept(disk: Path) -> None:
     """Blobs and jobs are added until the disk is full; then each is whole or not there, and deleting makes room."""
-    services = open_services(Settings(data=small_disk, min_free_bytes=0))
+    services = open_services(Settings(data=disk, min_free_bytes=0))
     kept = []
     with pytest.raises(VectorTalkerError) as caught:
         for number in range(100):
@@ -190,7 +207,7 @@ def test_full_disk_loses_nothing_that_was_kept(small_disk: Path) -> None:
     services.blobs.delete_folder("jobs/0")
     services.blobs.delete_folder("jobs/1")
     services.close()
-    reopened = open_services(Settings(data=small_disk, min_free_bytes=0))
+    reopened = open_services(Settings(data=disk, min_free_bytes=0))
     assert all(reopened.jobs.get(f"{number}").phase == "queued" for number in kept)
     assert all(reopened.blobs.find(f"jobs/{number}/scene.json") == bytes(50_000) for number in kept[2:])
     reopened.jobs.create("after", "vectorize", None, "ada")
@@ -199,16 +216,14 @@ def test_full_disk_loses_nothing_that_was_kept(small_disk: Path) -> None:
 
 
 @pytest.mark.parametrize("is_new", [True, False], ids=["new", "used"])
-def test_start_on_a_full_disk_says_so_and_keeps_what_is_there(small_disk: Path, is_new: bool) -> None:
-    settings = Settings(data=small_disk / "data", min_free_bytes=0)
+def test_start_on_a_full_disk_says_so_and_keeps_what_is_there(disk: Path, is_new: bool) -> None:
+    settings = Settings(data=disk / "data", min_free_bytes=0)
     if not is_new:
         used = open_services(settings)
         used.jobs.create("kept", "vectorize", None, "ada")
         used.close()
-    filling = small_disk / "filling"
-    with pytest.raises(OSError, match="No space left"), filling.open("wb", buffering=0) as file:
-        while True:
-            file.write(bytes(4096))
+    filling = disk / "filling"
+    fill(filling)
     with pytest.raises(VectorTalkerError) as caught:
         open_services(settings)
     assert caught.value.code == "storage_full"

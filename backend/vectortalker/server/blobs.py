@@ -75,8 +75,8 @@ class Blobs:
         except FileNotFoundError:
             return
 
-    def folders(self, key: str) -> list[str]:
-        """Names of the folders right within `key`."""
+    def names(self, key: str) -> list[str]:
+        """Of the folders and files right within `key`."""
         if not self._files.exists(key):
             return []
         return [str(entry).rpartition("/")[2] for entry in self._files.ls(key, detail=False)]

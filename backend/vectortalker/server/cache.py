@@ -21,6 +21,7 @@ from vectortalker.server.blobs import Blobs
 from vectortalker.server.store import Change, Store
 
 USED = "cache"  # index of entries by their last use
+ENDING = ".json"  # of the files of entries
 RUST_CORE = "vectortalker_core"
 
 
@@ -37,14 +38,16 @@ _RESULT = TypeAdapter(CachedResult)
 
 
 class Cache:
-    def __init__(self, store: Store, blobs: Blobs, max_bytes: int) -> None:
+    def __init__(self, store: Store, blobs: Blobs, max_bytes: int, models: str = "") -> None:
+        """`models`: digest of models that take the place of the package's."""
         self._store = store
         self._blobs = blobs
         self._max_bytes = max_bytes
+        self._models = models
 
     def find(self, picture: str, request: JobRequest) -> CachedResult | None:
         """`picture` is the digest of the file that the portrait came as."""
-        entry = _entry(picture, request)
+        entry = self._entry(picture, request)
         (size,) = self._store.read([_size(entry)])
         data = self._blobs.find(_blob(entry)) if size is not None else None
         if data is None:
@@ -57,7 +60,7 @@ class Cache:
         data = _RESULT.dump_json(result)
         if len(data) > self._max_bytes:
             return
-        entry = _entry(picture, request)
+        entry = self._entry(picture, request)
         self._blobs.put(_blob(entry), data)
         self._store.commit(Change(values={_size(entry): str(len(data))}, ranks={(USED, entry): time.time()}))
         self._shrink()
@@ -74,6 +77,10 @@ class Cache:
 
     def total_bytes(self) -> int:
         return sum(self._sizes().values())
+
+    def _entry(self, picture: str, request: JobRequest) -> str:
+        asked = request.model_dump(mode="json", exclude={"portrait_id"})
+        return f"{picture}-{digest(json.dumps([asked, code_version(), self._models], sort_keys=True).encode())}"
 
     def _sizes(self) -> dict[str, int]:
         """By entry, longest unused first."""
@@ -111,13 +118,8 @@ def code_version() -> str:
     return digest(b"".join(file.read_bytes() for file in files))
 
 
-def _entry(picture: str, request: JobRequest) -> str:
-    asked = request.model_dump(mode="json", exclude={"portrait_id"})
-    return f"{picture}-{digest(json.dumps([asked, code_version()], sort_keys=True).encode())}"
-
-
 def _blob(entry: str) -> str:
-    return f"cache/{entry}.json"
+    return f"cache/{entry}{ENDING}"
 
 
 def _size(entry: str) -> str:

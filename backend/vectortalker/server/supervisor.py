@@ -18,6 +18,7 @@ from pydantic import TypeAdapter
 
 from vectortalker.errors import VectorTalkerError
 from vectortalker.server.jobs import LEASE_SECONDS
+from vectortalker.server.orphans import remove_orphans
 from vectortalker.server.removal import sweep
 from vectortalker.server.run import folder
 from vectortalker.server.services import Services
@@ -26,6 +27,7 @@ from vectortalker.server.settings import Settings
 TICK_SECONDS = 0.25
 RENEW_SECONDS = 1.0
 SWEEP_SECONDS = 60.0
+ORPHANS_SECONDS = 3600.0  # all folders are listed
 PATIENCE_SECONDS = 2.0  # between a cancel and the end of the worker that ignores it
 RESTART_SECONDS = 5.0  # between two starts in the same place, so that a worker that cannot start burns no processor
 
@@ -48,6 +50,7 @@ class _Clock:
 
     renewed: float = 0.0
     swept: float = field(default_factory=time.monotonic)
+    looked_for_orphans: float = field(default_factory=time.monotonic)
     worker_seen: float = field(default_factory=time.monotonic)
     recover_from: float = 0.0
 
@@ -87,6 +90,9 @@ class Supervisor:
         if now - self._last.swept > SWEEP_SECONDS:
             self._last.swept = now
             sweep(self._services)
+        if now - self._last.looked_for_orphans > ORPHANS_SECONDS:
+            self._last.looked_for_orphans = now
+            remove_orphans(self._services)
 
     def _keep_alive(self, place: _Place) -> None:
         if place.process is not None and place.process.poll() is not None:
