@@ -43,7 +43,7 @@ class Deployment:
         self.port = free_port()
         self.url = f"http://127.0.0.1:{self.port}"
         self.redis = RedisServer(folder / "redis", free_port()) if shared else None
-        self._options = ["--max-attempts", "10", "--log-format", "json", "--cache-mb", "0"]
+        self._options = ["--max-attempts", "10", "--log-format", "json", "--cache-mb", "0", "--min-free-mb", "1"]
         if self.redis:
             self._options += ["--redis", self.redis.url, "--blobs", (folder / "blobs").as_uri()]
         self.server = self._start("serve", "--port", str(self.port))

@@ -1,7 +1,10 @@
-"""Workers, the server and Redis are killed at random moments while jobs run: none is lost, all give the same bytes.
+"""Workers, the server and Redis are killed and the disk is filled at random moments while jobs run: none is lost, all
+give the same bytes.
 
 `python -m scripts.soak.faults [KILLS] [sqlite|redis] [SEED]` from the repository's root. Every job's SVG is compared
 with that of an undisturbed run of the same request; event streams are cut and taken up again with `Last-Event-ID`.
+Where this user may mount a small disk, all data lie on it, and it is filled from time to time; only then may a job
+fail, and it must say so.
 """
 
 from __future__ import annotations
@@ -22,6 +25,7 @@ import httpx
 
 from scripts.soak.deployment import SMALL, START_SECONDS, Deployment
 from tests.server.pictures import picture
+from tests.server.small_disk import fill, small_disk
 
 KILLS = 50
 MEAN_SECONDS = 1.0  # between the moment when some job runs and the kill; a job takes about as long
@@ -29,6 +33,9 @@ WAITING = 3  # jobs that are kept in the queue while there are kills to come
 N_REQUESTS = 4  # different ones, each asked for again and again
 PATIENCE_SECONDS = 600.0  # for the last job after the last kill
 ENDED = ("done", "failed", "cancelled")
+DISK_MEGABYTES = 200
+MEAN_FULL_SECONDS = 3.0
+FILLING_SHARE = 0.2  # of the faults
 
 
 @dataclass
@@ -36,6 +43,7 @@ class Asked:
     seed: int
     job_id: str
     phase: str = "queued"
+    code: str | None = None  # of the error it failed with
 
 
 class Client:
@@ -109,33 +117,43 @@ def main() -> int:
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        for part in ("undisturbed", "disturbed"):
-            (folder / part).mkdir()
+        (folder / "undisturbed").mkdir()
         expected = undisturbed(folder / "undisturbed")
-        with Deployment(folder / "disturbed", shared=shared) as deployment:
-            return _disturbed(deployment, kills, expected)
+        with (
+            small_disk(folder / "disk", DISK_MEGABYTES) as may_fill,
+            Deployment(folder / "disk", shared=shared) as deployment,
+        ):
+            return _disturbed(deployment, kills, expected, may_fill)
 
 
-def _disturbed(deployment: Deployment, kills: int, expected: list[str]) -> int:
-    client, killed = Client(deployment), Counter[str]()
+def _disturbed(deployment: Deployment, kills: int, expected: list[str], may_fill: bool) -> int:
+    client, killed, n_filled = Client(deployment), Counter[str](), 0
     feed = _Feed(client)
     began = time.monotonic()
     while killed.total() < kills:
         feed.until(deployment.is_at_work)
         time.sleep(random.expovariate(1 / MEAN_SECONDS))
+        if may_fill and random.random() < FILLING_SHARE:
+            _fill_for_a_while(deployment)
+            n_filled += 1
+            continue
         victim = _kill(deployment)
         if victim:
             killed[victim] += 1
             print(f"{time.monotonic() - began:.0f} s: {victim} killed, {len(feed.asked)} jobs so far", flush=True)
     feed.follow_to_the_end()
     done = [job for job in feed.asked if job.phase == "done"]
+    refused = [job for job in feed.asked if job.code == "storage_full"]
     differing = [job for job in done if client.ask("GET", f"/api/jobs/{job.job_id}/svg").text != expected[job.seed]]
-    phases = Counter(job.phase for job in feed.asked)
-    print(f"faults: {dict(killed)} killed in {time.monotonic() - began:.0f} s, {client.cuts} streams taken up again")
     print(
-        f"faults: {len(feed.asked)} jobs: {dict(phases)}; {len(differing)} differ from the undisturbed run", flush=True
+        f"faults: {dict(killed)} killed and the disk filled {n_filled} times in {time.monotonic() - began:.0f} s,"
+        f" {client.cuts} streams taken up again"
     )
-    return 0 if len(done) == len(feed.asked) and not differing else 1
+    print(
+        f"faults: {len(feed.asked)} jobs: {len(done)} done, {len(refused)} failed for want of space;"
+        f" {len(differing)} differ from the undisturbed run"
+    )
+    return 0 if len(done) + len(refused) == len(feed.asked) and not differing else 1
 
 
 class _Feed:
@@ -168,7 +186,16 @@ class _Feed:
 
 
 def _follow(client: Client, job: Asked) -> None:
-    job.phase = str(client.follow(job.job_id)["phase"])
+    state = client.follow(job.job_id)
+    job.phase = str(state["phase"])
+    job.code = dict(state["error"])["code"] if state.get("error") else None  # type: ignore[call-overload]  # JSON
+
+
+def _fill_for_a_while(deployment: Deployment) -> None:
+    filling = deployment.folder / "filling"
+    fill(filling)
+    time.sleep(random.expovariate(1 / MEAN_FULL_SECONDS))
+    filling.unlink()
 
 
 def _kill(deployment: Deployment) -> str | None:
