@@ -1,16 +1,20 @@
-// `npm run soak [PART…]`: sets everything up and runs the long tests of trust: fuzzing, kills, load, work shared by machines.
+// `npm run soak [PART…]`: sets everything up and runs the long tests of trust: fuzzing, kills, load, reloads, work shared by
+// machines, an hour's use.
 import { main, run, SetupError, venvBin } from './run.mjs';
 import { setup } from './setup.mjs';
 import { provideSystemPackages } from './system-packages.mjs';
 
-const REDIS = 'redis-server';
+const python = (name, ...args) => ({ name, command: [venvBin('python'), ['-m', `scripts.soak.${name}`, ...args]] });
+const node = (name, ...args) => ({ name, command: [process.execPath, [`scripts/soak/${name}.mjs`, ...args]] });
 
-/** In the order they run, some hour in all on two idle cores; `needs` names the command of a system package. */
+/** In the order they run, some two hours in all on two idle cores; `needs` names the command of a system package. */
 const PARTS = [
-  { name: 'fuzz', args: ['100000'] },
-  { name: 'faults', args: ['50', 'redis'], needs: REDIS },
-  { name: 'load', args: ['20', '200'] },
-  { name: 'shared_work', args: ['20'], needs: REDIS },
+  python('fuzz', '100000'),
+  { ...python('faults', '50', 'redis'), needs: 'redis-server' },
+  python('load', '20', '200'),
+  { ...python('shared_work', '20'), needs: 'redis-server' },
+  { ...node('reload', '40', '12'), needs: 'chromium' },
+  python('endurance', '60', '20'),
 ];
 
 main(() => {
@@ -18,7 +22,7 @@ main(() => {
   const absent = new Set(provideSystemPackages().map((item) => item.command));
   const wanted = process.argv.slice(2);
   const failed = [];
-  for (const { name, args, needs } of PARTS) {
+  for (const { name, command, needs } of PARTS) {
     if (wanted.length > 0 && !wanted.includes(name)) continue;
     if (absent.has(needs)) {
       console.log(`\nNot run, for want of ${needs}: ${name}`);
@@ -26,7 +30,7 @@ main(() => {
     }
     console.log(`\n── ${name}`);
     try {
-      run(venvBin('python'), ['-m', `scripts.soak.${name}`, ...args]);
+      run(...command);
     } catch (error) {
       if (!(error instanceof SetupError)) throw error;
       failed.push(name);
