@@ -1,11 +1,12 @@
 """A picture, with or without landmarks, becomes the mask of its foreground: the person.
 
-Four sources are asked in this order, and the first that fits and is sure is taken, else the surest that fits:
+Sources are asked in this order, and the first that fits and is sure is taken, else the surest that fits:
 
 1. the picture's own transparency, where it cuts out a figure;
-2. a background of one colour around the figure: flat drawings, exact to the pixel;
-3. selfie segmentation: photographs and paintings;
-4. U^2-Net saliency: cartoons, anime and sketches, on which the third one fails.
+2. a segmentation net of the user's own, if there is one;
+3. a background of one colour around the figure: flat drawings, exact to the pixel;
+4. selfie segmentation: photographs and paintings;
+5. U^2-Net saliency: cartoons, anime and sketches, on which the one before fails.
 
 A mask fits if it holds nearly all of the face outline and leaves some of the picture over. If none fits, the foreground
 is the face outline itself, enlarged to hold hair. Without landmarks only a sure mask counts; if there is none, there is
@@ -28,6 +29,7 @@ from skimage.draw import polygon2mask
 
 from vectortalker import models
 from vectortalker.landmarks.window import Window, sample
+from vectortalker.segmenter import Segmenter
 
 SELFIE_SIDE, SALIENCY_SIDE = 256, 320
 IMAGENET_MEAN, IMAGENET_STD = (0.485, 0.456, 0.406), (0.229, 0.224, 0.225)
@@ -43,7 +45,7 @@ MAX_HOLE = 0.005  # share of the picture below which a hole is filled
 FOREHEAD = 0.35  # height above the brows, as a share of brows to chin
 HAIR_MARGIN = 0.35  # growth of the face outline where no mask fits, as a share of its height
 
-Source = Literal["alpha", "plain", "selfie", "saliency", "face", "none"]
+Source = Literal["alpha", "own", "plain", "selfie", "saliency", "face", "none"]
 
 
 @dataclass(frozen=True)
@@ -63,12 +65,13 @@ def segment(
     rgb: NDArray[np.uint8],
     points: NDArray[np.float64] | None = None,
     alpha: NDArray[np.uint8] | None = None,
+    own: Segmenter | None = None,
 ) -> Masks:
     """Foreground of `rgb` uint8 [H, W, 3]; `points` [68, 2] and `alpha` [H, W] belong to the same pixels."""
     shape = rgb.shape[:2]
     face = np.zeros(shape, bool) if points is None else face_outline(points, shape)
     best: tuple[float, Source, NDArray[np.float32]] | None = None
-    for source, soft in _sources(rgb, alpha):
+    for source, soft in _sources(rgb, points, alpha, own):
         if not _fits(soft, face):
             continue
         unsure = _unsure(soft)
@@ -92,10 +95,17 @@ def face_outline(points: NDArray[np.float64], shape: tuple[int, ...]) -> NDArray
     return np.asarray(polygon2mask(shape[:2], corners[:, ::-1] - 0.5), bool)
 
 
-def _sources(rgb: NDArray[np.uint8], alpha: NDArray[np.uint8] | None) -> Iterator[tuple[Source, NDArray[np.float32]]]:
+def _sources(
+    rgb: NDArray[np.uint8],
+    points: NDArray[np.float64] | None,
+    alpha: NDArray[np.uint8] | None,
+    own: Segmenter | None,
+) -> Iterator[tuple[Source, NDArray[np.float32]]]:
     """Candidate masks f32 [H, W], cheapest first; the nets run only if they are reached."""
     if alpha is not None:
         yield "alpha", alpha.astype(np.float32) / np.float32(255)
+    if own is not None:
+        yield "own", own.mask_of(rgb, points)
     yield "plain", _off_plain_background(rgb)
     yield "selfie", _selfie(rgb)
     yield "saliency", _saliency(rgb)

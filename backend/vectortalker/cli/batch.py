@@ -8,7 +8,15 @@ from pathlib import Path
 
 from vectortalker.cli.inputs import read_portrait
 from vectortalker.cli.sharing import add_sharing_arguments, sharing_settings
-from vectortalker.cli.tracing import Traced, add_tracing_arguments, project_bytes, trace, tracing_options
+from vectortalker.cli.tracing import (
+    Traced,
+    TracingSettings,
+    add_tracing_arguments,
+    project_bytes,
+    trace,
+    tracing_options,
+    tracing_settings,
+)
 from vectortalker.errors import VectorTalkerError
 from vectortalker.schema import VectorizeOptions
 
@@ -29,16 +37,22 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """2 if any picture was refused."""
-    settings = tracing_options(options)
+    if options.handed_in and options.segmentation_model:
+        raise VectorTalkerError(
+            "bad_option", "--segmentation-model is for who does the work: start the workers with it."
+        )
     if not options.folder.is_dir():
         raise VectorTalkerError("bad_option", f"{options.folder} is no folder: name one with pictures.")
     options.output.mkdir(parents=True, exist_ok=True)
     pictures = sorted(path for path in options.folder.iterdir() if path.is_file())
-    n_refused = _hand_in(options, pictures, settings) if options.handed_in else _do(options.output, pictures, settings)
+    if options.handed_in:
+        n_refused = _hand_in(options, pictures, tracing_options(options))
+    else:
+        n_refused = _do(options.output, pictures, tracing_settings(options))
     return USER_AT_FAULT if n_refused else 0
 
 
-def _do(output: Path, pictures: list[Path], settings: VectorizeOptions) -> int:
+def _do(output: Path, pictures: list[Path], settings: TracingSettings) -> int:
     """One after the other in this process; how many were refused."""
     from vectortalker.cli.progress import progress_bar
 

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from vectortalker.cli.own_models import add_segmentation_argument
 from vectortalker.errors import VectorTalkerError
 
 
@@ -43,6 +44,7 @@ def add_working_arguments(parser: argparse.ArgumentParser, default_workers: int)
     parser.add_argument(
         "--no-worker-seconds", type=float, default=300, metavar="S", help="waiting jobs fail after S without any worker"
     )
+    add_segmentation_argument(parser)
     parser.add_argument("--retention-days", type=float, default=30, metavar="D", help="unused data is deleted after D")
     parser.add_argument("--cache-mb", type=float, default=1000, metavar="MB", help="results kept for reuse; 0: none")
     parser.add_argument("--min-free-mb", type=float, default=200, metavar="MB", help="of the disk, which stay free")
@@ -71,6 +73,7 @@ def working_settings(options: argparse.Namespace) -> dict[str, Any]:
     return {
         **sharing_settings(options),
         "workers": options.workers,
+        "segmentation_model": options.segmentation_model,
         "max_attempts": options.max_attempts,
         "no_worker_seconds": options.no_worker_seconds,
         "retention_seconds": options.retention_days * DAY_SECONDS,

@@ -12,6 +12,8 @@ from vectortalker.cli.inputs import read_file
 from vectortalker.errors import VectorTalkerError
 
 if TYPE_CHECKING:
+    from vectortalker.cli.progress import Bar
+    from vectortalker.schema import Track
     from vectortalker.speech import Options
 
 STYLES = ("subtle", "normal", "cartoon")
@@ -30,6 +32,26 @@ def add_speech_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--gain", action="append", default=[], metavar="CHANNEL=FACTOR", help="of mouth, blink, head, brows; 0 mutes"
     )
+    parser.add_argument(
+        "--model",
+        type=Path,
+        metavar="FILE.onnx",
+        help="a net of your own, from sound of 16 kHz [1, n] to 68 landmarks a frame [1, frames, 136]",
+    )
+
+
+def spoken_track(options: argparse.Namespace, bar: Bar) -> Track:
+    """The track of the recording: by the package's network, or by a model of the user's own.
+
+    Raises `bad_audio`, and `bad_option` as `speech_options` does and for options that only the network has.
+    """
+    from vectortalker.speech import track_by_model, track_from_audio
+
+    if options.model is None:
+        return track_from_audio(options.audio, speech_options(options), bar.show)
+    if options.transcript is not None:
+        raise VectorTalkerError("bad_option", "--transcript goes with the network of the package: leave --model out.")
+    return track_by_model(options.audio, options.model, bar.show)
 
 
 def speech_options(options: argparse.Namespace) -> Options:

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from vectortalker.cli.animate import WITH_SOUND
 from vectortalker.cli.inputs import read_portrait
-from vectortalker.cli.speaking import add_speech_arguments, speech_options
-from vectortalker.cli.tracing import add_tracing_arguments, trace, tracing_options
+from vectortalker.cli.speaking import add_speech_arguments, spoken_track
+from vectortalker.cli.tracing import add_tracing_arguments, trace, tracing_settings
 from vectortalker.errors import VectorTalkerError
 
 
@@ -28,17 +28,16 @@ def run(options: argparse.Namespace) -> None:
     from vectortalker.animate.run import ENDINGS
     from vectortalker.cli.progress import progress_bar
     from vectortalker.schema import Project
-    from vectortalker.speech import track_from_audio
 
     if options.output.suffix not in ("", *ENDINGS):
         known = ", ".join(ENDINGS)
         raise VectorTalkerError(
             "bad_option", f"{options.output.name}: known endings are {known}, or none for a folder."
         )
-    settings = tracing_options(options)
+    settings = tracing_settings(options)
     portrait = read_portrait(options.portrait)
     with progress_bar(options.audio.name) as bar:
-        track = track_from_audio(options.audio, speech_options(options), bar.show)
+        track = spoken_track(options, bar)
     with progress_bar(options.portrait.name) as bar:
         traced = trace(portrait, settings, bar)
     project = Project(name=portrait.name, scene=traced.result.scene, landmarks=traced.landmarks)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from pydantic import ValidationError
 
+from vectortalker.cli.own_models import add_segmentation_argument
 from vectortalker.errors import VectorTalkerError
 from vectortalker.schema import VectorizeOptions
 
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from vectortalker.cli.progress import Bar
     from vectortalker.decode import Portrait
     from vectortalker.schema import Landmarks
+    from vectortalker.segmenter import Segmenter
     from vectortalker.vectorize import Result
 
 NUMBERS = ("paths", "segments", "levels", "iterations", "final_iterations", "seed", "working_size")
@@ -25,6 +27,14 @@ CHOICES = {
     "fills": ("solid", "gradient"),
     "opacity": ("free", "opaque"),
 }
+
+
+@dataclass(frozen=True)
+class TracingSettings:
+    """`segmenter`: a net of the user's own, or None."""
+
+    options: VectorizeOptions
+    segmenter: Segmenter | None
 
 
 @dataclass(frozen=True)
@@ -41,6 +51,15 @@ def add_tracing_arguments(parser: argparse.ArgumentParser) -> None:
     for name, choices in CHOICES.items():
         parser.add_argument(_flag(name), choices=choices)
     parser.add_argument("--no-layers", dest="layers", action="store_const", const=False, help="one flat picture")
+    add_segmentation_argument(parser)
+
+
+def tracing_settings(options: argparse.Namespace) -> TracingSettings:
+    """Raises `bad_option`."""
+    from vectortalker.segmenter import open_segmenter
+
+    files = options.segmentation_model
+    return TracingSettings(tracing_options(options), open_segmenter(files) if files else None)
 
 
 def tracing_options(options: argparse.Namespace) -> VectorizeOptions:
@@ -54,7 +73,7 @@ def tracing_options(options: argparse.Namespace) -> VectorizeOptions:
         raise VectorTalkerError("bad_option", f"{flag} {fault['input']}: {fault['msg']}.") from error
 
 
-def trace(portrait: Portrait, options: VectorizeOptions, bar: Bar) -> Traced:
+def trace(portrait: Portrait, settings: TracingSettings, bar: Bar) -> Traced:
     """Detect the largest face and vectorise."""
     from vectortalker.landmarks import detect, to_wire
     from vectortalker.vectorize import vectorize
@@ -62,7 +81,7 @@ def trace(portrait: Portrait, options: VectorizeOptions, bar: Bar) -> Traced:
     bar.show("finding the face", 0)
     faces = to_wire(detect(portrait.rgb), portrait.width, portrait.height).faces
     landmarks = faces[0].landmarks if faces else None
-    steps = vectorize(portrait, landmarks, options)
+    steps = vectorize(portrait, landmarks, settings.options, segmenter=settings.segmenter)
     while True:
         try:
             progress = next(steps)

@@ -7,7 +7,7 @@ from contextlib import ExitStack
 from pathlib import Path
 
 from vectortalker.cli.inputs import read_portrait
-from vectortalker.cli.tracing import add_tracing_arguments, project_bytes, trace, tracing_options
+from vectortalker.cli.tracing import add_tracing_arguments, project_bytes, trace, tracing_settings
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -23,7 +23,7 @@ def run(options: argparse.Namespace) -> None:
     from vectortalker.cli.progress import progress_bar
     from vectortalker.outputs import whole_file
 
-    settings = tracing_options(options)
+    settings = tracing_settings(options)
     portrait = read_portrait(options.portrait)
     with ExitStack() as outputs:
         svg, project, metrics = (

@@ -11,6 +11,7 @@ import redis
 from huey import Huey, RedisHuey, SqliteHuey
 
 from vectortalker.errors import VectorTalkerError
+from vectortalker.segmenter import Segmenter, open_segmenter
 from vectortalker.server.blobs import Blobs
 from vectortalker.server.cache import Cache
 from vectortalker.server.database import translated
@@ -35,16 +36,19 @@ class Services:
     cache: Cache
     queue: Huey
     wake: Callable[[], object]
+    segmenter: Segmenter | None = None
 
     def close(self) -> None:
         self.store.close()
 
 
 def open_services(settings: Settings) -> Services:
-    """Raises `bad_option` for URLs that are none, `unavailable` and `storage_full`."""
+    """Raises `bad_option` for URLs and models that are none, `unavailable` and `storage_full`."""
     store, queue = _shared(settings.redis) if settings.redis else _embedded(settings)
     blobs = Blobs(settings.blobs or str(settings.data / "blobs"), settings.min_free_bytes)
     jobs = Jobs(store, settings.max_attempts)
+    segmenter = open_segmenter(settings.segmentation_model) if settings.segmentation_model else None
+    cache = Cache(store, blobs, settings.max_cache_bytes, segmenter.digest if segmenter else "")
 
     @queue.task(name="a_job_waits")
     def call() -> None:
@@ -56,7 +60,7 @@ def open_services(settings: Settings) -> Services:
         except (sqlite3.Error, redis.RedisError) as error:  # the job is stored, and workers look by themselves too
             log.warning("no worker could be called: %s", error)
 
-    return Services(settings, store, blobs, jobs, Cache(store, blobs, settings.max_cache_bytes), queue, wake)
+    return Services(settings, store, blobs, jobs, cache, queue, wake, segmenter)
 
 
 def _embedded(settings: Settings) -> tuple[Store, Huey]:

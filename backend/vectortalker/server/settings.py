@@ -33,6 +33,7 @@ class Settings:
     no_worker_seconds: float = 300.0  # jobs that wait fail when no worker was ready for so long
     max_body_bytes: int = 32 * MEGABYTE  # a picture (25 MB) or a scene with an hour's reduced track
     max_sound_bytes: int = 120 * MEGABYTE  # ten minutes of stereo WAV
+    segmentation_model: tuple[Path, ...] = ()  # of the user's own (`segmenter.open_segmenter`)
     min_free_bytes: int = 200 * MEGABYTE
     max_cache_bytes: int = 1000 * MEGABYTE
     retention_seconds: float = 30 * DAY_SECONDS  # after their last use portraits and jobs are deleted

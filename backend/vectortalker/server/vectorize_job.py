@@ -27,6 +27,7 @@ def vectorize_job(run: Run) -> None:
         request.options,
         finish_early=run.wants_finish,
         resume=_read_checkpoint(run.services.blobs.find(run.key("checkpoint.npz"))),
+        segmenter=run.services.segmenter,
     )
     result, last = _follow(run, steps)
     _store_scene(run, result.scene)

@@ -37,12 +37,19 @@ def from_csv(text: str, name: str) -> Track:
     even = times[0] + np.arange(n_frames) / fps
     flat = points.reshape(len(times), -1)
     resampled = np.stack([np.interp(even, times, column) for column in flat.T], axis=1).reshape(-1, N_LANDMARKS, 2)
+    return track_of_points(resampled, fps, name)
+
+
+def track_of_points(points: Points, fps: float, name: str) -> Track:
+    """Frames of a face in any unit, y down, as offsets from its neutral face. Raises `bad_track`."""
+    if len(points) == 0 or not np.isfinite(points).all():
+        raise _bad(f"{name} has frames without finite numbers." if len(points) else f"{name} has no frames.")
     neutral = _neutral(points)
     scale = float(np.linalg.norm(neutral[OUTER_EYES[1]] - neutral[OUTER_EYES[0]]))
     if scale < MIN_EYE_DISTANCE:
         raise _bad(f"The outer eye corners of {name} coincide: it holds no face.")
-    offsets = ((resampled - neutral) / scale).round(5)
-    return Track(name=name, duration=n_frames / fps, fps=fps, landmarks=offsets.tolist())
+    offsets = ((points - neutral) / scale).round(5)
+    return Track(name=name, duration=len(points) / fps, fps=fps, landmarks=offsets.tolist())
 
 
 def to_csv(points: Points, fps: float) -> str:

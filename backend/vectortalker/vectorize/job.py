@@ -13,6 +13,7 @@ from vectortalker import metrics
 from vectortalker.decode import Portrait, canonical
 from vectortalker.scene import LayeredScene, to_wire
 from vectortalker.schema import Landmarks, Metrics, Scene, VectorizeOptions
+from vectortalker.segmenter import Segmenter
 from vectortalker.svg import to_svg
 from vectortalker.vectorize.frame import Frame, fit, layer_to_portrait
 from vectortalker.vectorize.ground import with_ground
@@ -39,12 +40,13 @@ def vectorize(
     finish_early: Callable[[], bool] = lambda: False,
     resume: Checkpoint | None = None,
     threads: int = 0,
+    segmenter: Segmenter | None = None,
 ) -> Generator[Progress, None, Result]:
     """Vectorise level by level; closing the generator stops the work within a tenth of a second.
 
     `finish_early` is asked at every report: true ends the optimisation where it is. `resume` continues after the level
     it was taken at and must come from the same portrait and options (`VectorTalkerError` `bad_option` otherwise).
-    `threads` 0 uses all cores; the result does not depend on it.
+    `threads` 0 uses all cores; the result does not depend on it. `segmenter`: a net of the user's own finds the person.
     """
     clock, cpu_clock = time.perf_counter(), time.process_time()
     settings = resolve(options)
@@ -52,7 +54,7 @@ def vectorize(
     frame = fit(portrait.width, portrait.height, picture.shape[1], picture.shape[0])
     plans = plan(settings, (frame.width, frame.height))
     yield Progress("preparing", 0, settings.levels, 0, 0.0)
-    targets = prepare(portrait, landmarks, picture, frame, settings, plans)
+    targets = prepare(portrait, landmarks, picture, frame, settings, plans, segmenter)
     if targets.layers is not None:
         plans = [replace(level_plan, paths=max(1, level_plan.paths - 1)) for level_plan in plans]  # the ground is one
     start = restore(resume, settings) if resume else Start(targets.first_paths, 0, 0)

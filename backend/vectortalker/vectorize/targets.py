@@ -15,6 +15,7 @@ from vectortalker.decode import Portrait
 from vectortalker.landmarks.ibug import IrisDisc
 from vectortalker.masks import segment
 from vectortalker.schema import Landmarks
+from vectortalker.segmenter import Segmenter
 from vectortalker.vectorize.frame import Frame, to_frame
 from vectortalker.vectorize.interior_starts import first_paths
 from vectortalker.vectorize.layering import LayerImages, layer_images, layered_level
@@ -60,6 +61,7 @@ def prepare(
     frame: Frame,
     settings: Settings,
     plans: list[LevelPlan],
+    segmenter: Segmenter | None,
 ) -> Targets:
     """Segment, and smooth for a recipe that wants it; the canvas has the mean colour of `picture`.
 
@@ -72,7 +74,7 @@ def prepare(
     stack = tuple(level.image for level in smooth.stack(image, len(plans))) if smoothed else (image,) * len(plans)
     points = None if landmarks is None else np.array(landmarks.points, np.float64)
     placed = None if points is None else to_frame(points, frame)
-    masks = segment(picture, placed, _scaled_alpha(portrait, frame))
+    masks = segment(picture, placed, _scaled_alpha(portrait, frame), segmenter)
     nothing = empty_population(settings.segments)
     if not settings.layers or not masks.has_person:
         return Targets(stack, canvas, (), None, FORE if masks.has_person else BACK, frame, nothing)
