@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import secrets
 from collections.abc import Iterator
@@ -15,7 +16,7 @@ from vectortalker.errors import VectorTalkerError
 def whole_file(path: Path) -> Iterator[Path]:
     """A path beside `path` to write to, of the same ending; it takes the place of `path` if the block succeeds.
 
-    Raises `bad_option` when the folder is not there or cannot be written to.
+    Raises `bad_option` when the folder is not there or cannot be written to, `storage_full` when its disk is full.
     """
     part = path.with_name(f".{path.stem}-{secrets.token_hex(4)}{path.suffix}")
     try:
@@ -27,6 +28,10 @@ def whole_file(path: Path) -> Iterator[Path]:
         os.replace(part, path)
     except IsADirectoryError as error:
         raise VectorTalkerError("bad_option", f"{path} is a folder: name a file.") from error
+    except OSError as error:
+        if error.errno != errno.ENOSPC:
+            raise
+        raise VectorTalkerError("storage_full", f"The disk of {path} is full: make room there.") from error
     finally:
         part.unlink(missing_ok=True)
 

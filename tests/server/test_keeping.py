@@ -11,6 +11,7 @@ from pathlib import Path
 import httpx
 import pytest
 from vectortalker.errors import VectorTalkerError
+from vectortalker.outputs import write_whole
 from vectortalker.schema import JobRequest, Metrics, VectorizeOptions
 from vectortalker.server import portraits
 from vectortalker.server.blobs import Blobs
@@ -213,6 +214,14 @@ def test_full_disk_loses_nothing_that_was_kept(disk: Path) -> None:
     reopened.jobs.create("after", "vectorize", None, "ada")
     assert reopened.jobs.get("after").phase == "queued"
     reopened.close()
+
+
+def test_file_that_does_not_fit_leaves_the_old_one(disk: Path) -> None:
+    file = disk / "portrait.svg"
+    write_whole(file, b"old")
+    with pytest.raises(VectorTalkerError, match="is full") as caught:
+        write_whole(file, bytes(4_000_000))
+    assert caught.value.code == "storage_full" and file.read_bytes() == b"old" and list(disk.iterdir()) == [file]
 
 
 @pytest.mark.parametrize("is_new", [True, False], ids=["new", "used"])

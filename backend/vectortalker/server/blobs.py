@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import secrets
 import shutil
 from pathlib import Path
@@ -25,7 +26,6 @@ class Blobs:
         self._min_free_bytes = min_free_bytes
         self._local = Path(path) if "file" in files.protocol else None
         if self._local:
-            files = fsspec.filesystem("file", auto_mkdir=True)
             with full_disk_told():
                 self._local.mkdir(parents=True, exist_ok=True)
         self._files = DirFileSystem(path=path, fs=files)
@@ -37,15 +37,15 @@ class Blobs:
         free = self.free_bytes()
         if free is not None and free < self._min_free_bytes + len(data):
             raise storage_full(free)
-        part = f"{key}.{secrets.token_hex(4)}.part"
+        path = self._local / key
+        part = path.with_name(f"{path.name}.{secrets.token_hex(4)}.part")
         try:
             with full_disk_told():
-                self._files.pipe_file(part, data)
-                self._files.mv(part, key)
-        except Exception:
-            if self._files.exists(part):
-                self._files.rm(part)
-            raise
+                path.parent.mkdir(parents=True, exist_ok=True)
+                part.write_bytes(data)
+                os.replace(part, path)
+        finally:
+            part.unlink(missing_ok=True)
 
     def get(self, key: str) -> bytes:
         """The bytes under `key`. Raises `not_found`."""
