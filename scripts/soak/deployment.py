@@ -35,6 +35,11 @@ def megabytes(pid: int) -> float:
     return int(found.group(1)) / 1000
 
 
+def children(pid: int) -> list[int]:
+    """Processes that one of the threads of `pid` started."""
+    return [int(child) for path in Path(f"/proc/{pid}/task").glob("*/children") for child in path.read_text().split()]
+
+
 class Deployment:
     """One server with a worker of its own; with Redis, a second worker beside it."""
 
@@ -74,9 +79,7 @@ class Deployment:
 
     def worker_pids(self) -> list[int]:
         """Worker processes of all supervisors."""
-        parents = [process.pid for process in (self.server, self.helper) if process]
-        tasks = [path for parent in parents for path in Path(f"/proc/{parent}/task").glob("*/children")]
-        return [int(pid) for path in tasks for pid in path.read_text().split()]
+        return [pid for process in (self.server, self.helper) if process for pid in children(process.pid)]
 
     def kill_server(self) -> None:
         self.server.kill()

@@ -43,7 +43,7 @@ class Asked:
     seed: int
     job_id: str
     phase: str = "queued"
-    code: str | None = None  # of the error it failed with
+    error: dict[str, str] | None = None
 
 
 class Client:
@@ -143,7 +143,7 @@ def _disturbed(deployment: Deployment, kills: int, expected: list[str], may_fill
             print(f"{time.monotonic() - began:.0f} s: {victim} killed, {len(feed.asked)} jobs so far", flush=True)
     feed.follow_to_the_end()
     done = [job for job in feed.asked if job.phase == "done"]
-    refused = [job for job in feed.asked if job.code == "storage_full"]
+    refused = [job for job in feed.asked if job.error and job.error["code"] == "storage_full"]
     differing = [job for job in done if client.ask("GET", f"/api/jobs/{job.job_id}/svg").text != expected[job.seed]]
     print(
         f"faults: {dict(killed)} killed and the disk filled {n_filled} times in {time.monotonic() - began:.0f} s,"
@@ -153,6 +153,9 @@ def _disturbed(deployment: Deployment, kills: int, expected: list[str], may_fill
         f"faults: {len(feed.asked)} jobs: {len(done)} done, {len(refused)} failed for want of space;"
         f" {len(differing)} differ from the undisturbed run"
     )
+    for job in feed.asked:
+        if job not in done and job not in refused:
+            print(f"faults: job {job.job_id}: {job.phase}, {job.error}")
     return 0 if len(done) + len(refused) == len(feed.asked) and not differing else 1
 
 
@@ -187,8 +190,7 @@ class _Feed:
 
 def _follow(client: Client, job: Asked) -> None:
     state = client.follow(job.job_id)
-    job.phase = str(state["phase"])
-    job.code = dict(state["error"])["code"] if state.get("error") else None  # type: ignore[call-overload]  # JSON
+    job.phase, job.error = str(state["phase"]), state["error"]  # type: ignore[assignment]  # as `ApiError` has it
 
 
 def _fill_for_a_while(deployment: Deployment) -> None:

@@ -19,11 +19,11 @@ import httpx
 import numpy as np
 
 from scripts.soak.deployment import START_SECONDS, Deployment, megabytes, wait
-from tests.server.pictures import picture
+from tests.server.pictures import figure
 
 CLIENTS = 20
 JOBS = 200
-TINY = {"paths": 16, "levels": 1, "iterations": 8, "final_iterations": 8, "working_size": 64}
+SMALL = {"paths": 24, "levels": 1, "iterations": 60, "final_iterations": 60, "working_size": 128}  # some 0.3 s
 PAUSE_SECONDS = 5.0  # mean, between two pictures of a client
 MEDIAN_LIMIT, P99_LIMIT = 0.2, 1.0  # seconds
 ENDED = ("done", "failed", "cancelled")
@@ -56,7 +56,7 @@ class Client:
         transport = httpx.HTTPTransport(local_address=f"127.0.0.{number + 2}")
         self._http = httpx.Client(base_url=url, transport=transport, timeout=60)
         self._times = times
-        self._picture = picture(400 + number, 600)  # made before anything is timed
+        self._picture = figure(400 + number, 600)  # made before anything is timed
 
     def use(self, n_jobs: int, jobs: list[str]) -> None:
         portrait_id = self._upload()
@@ -77,7 +77,7 @@ class Client:
         return self._times.request(self._http, "state", "GET", f"/api/jobs/{job_id}").json()["phase"] in ENDED
 
     def _start(self, portrait_id: str, seed: int) -> str:
-        body = {"portrait_id": portrait_id, "options": {**TINY, "seed": seed}}
+        body = {"portrait_id": portrait_id, "options": {**SMALL, "seed": seed}}
         answer = self._times.request(self._http, "job", "POST", "/api/jobs", json=body)
         assert answer.status_code == 202, answer.text
         return answer.json()["id"]
