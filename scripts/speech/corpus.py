@@ -2,31 +2,34 @@
 
     python scripts/speech/corpus.py OUT_FOLDER [--seed 0]
 
-Needs espeak-ng, flite, and festival with the voices of `synthesisers.py`.
+Needs espeak-ng, flite, festival with the voices of `synthesisers.py`, the word lists of `texts.py`, and the prompts of
+`recordings.py`, whose phones the network of the package finds.
 
-Parts: `train`, and, never trained on: `synthesiser` (flite, a program and speakers of its own), `voices` (espeak-ng
+Parts: `train-…`, and, never trained on: `synthesiser` (flite, a program and speakers of its own), `voices` (espeak-ng
 variants, and Festival voices; Finnish, Czech and English by other voices are trained on), `languages` (Italian,
-Hungarian and Greek by espeak-ng). `noisy` is `synthesiser` and `voices` spoilt as training speech is.
+Hungarian and Greek by espeak-ng). `noisy` is `synthesiser` and `voices` spoilt as training speech is. `tuning` has
+other lines by training voices: constants of the decoder are set on it.
 """
 
 from __future__ import annotations
 
 import argparse
 import random
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
-from itertools import chain
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import texts
 from augment import PAUSES, sped, spoilt, without_speech
+from recordings import recordings
 from scipy import signal
 from synthesisers import FESTIVAL_VOICES, EspeakWish, Utterance, espeak, festival, flite
 from vectortalker.speech.audio import RATE
 from vectortalker.speech.coarticulation import FPS, Blend, articulate
 from vectortalker.speech.features import log_mels
-from vectortalker.speech.visemes import VISEMES, Block, blocks_of_phones, classes_at
+from vectortalker.speech.visemes import VISEMES, Block, classes_at
 
 TRAIN_VOICES = {
     "en": ("en-us", "en-us", "en", "en-GB-scotland", "en-GB-x-rp", "en-US-nyc"), "de": ("de",), "fr": ("fr",),
@@ -43,12 +46,13 @@ HELD_VARIANTS = ("m8", "f5", "klatt3", "Andy", "linda", "steph", "Gene", "norber
 HELD_LANGUAGES = ("it", "hu", "el")
 TRAIN_FESTIVAL = (
     "kal_diphone", "ked_diphone", "upc_ca_ona_hts", "hy_fi_mv_diphone", "czech_dita", "czech_krb", "czech_ph",
-    "hindi_NSK_diphone",
+    "hindi_NSK_diphone", "msu_ru_nsh_clunits",
 )  # fmt: skip
 HELD_FESTIVAL = ("cmu_us_slt_arctic_hts", "lp_diphone", "suo_fi_lj_diphone", "czech_machac")
 FLITE_VOICES = ("awb", "rms", "slt")  # kal is Festival's
-N_ESPEAK, N_ESPEAK_ENGLISH = 130, 400  # lines a language
-N_FESTIVAL, N_FESTIVAL_ENGLISH = 110, 320  # lines a voice
+N_ESPEAK, N_ESPEAK_ENGLISH = 200, 800  # lines a language
+N_FESTIVAL, N_FESTIVAL_ENGLISH = 180, 800  # lines a voice
+SPOILT_SHARE = 0.5  # of training lines
 N_SPEECHLESS = 160
 N_HELD = 5  # lines a voice or language of the held-out parts
 
@@ -70,33 +74,58 @@ def main() -> None:
         _save(options.out / f"{name}.npz", (_example(item, item.samples, generator) for item in utterances))
     noisy = held["synthesiser"] + held["voices"]
     _save(options.out / "noisy.npz", (_spoilt_example(item, generator) for item in noisy))
+    tuning = _tuning(random.Random(options.seed + 4))
+    _save(options.out / "tuning.npz", (_example(item, item.samples, generator) for item in tuning))
     if not options.held_only:
-        _save(options.out / "train.npz", _train(options.seed, np.random.default_rng(options.seed)))
+        _save_train(options.out, options.seed)
+        _print_lengths([*options.out.glob("train-*.npz")])
 
 
-def _train(seed: int, generator: np.random.Generator) -> Iterator[dict]:
-    """Every line once as it was spoken and once spoilt; recordings of no speech after them."""
-    source = random.Random(seed)
-    for utterance in chain(espeak(_train_wishes(source)), _festival(TRAIN_FESTIVAL, source)):
-        yield _example(utterance, utterance.samples, generator)
-        yield _spoilt_example(utterance, generator)
+def _save_train(out: Path, seed: int) -> None:
+    """One archive for each source of speech, seeded by its name; those that an earlier run has made are kept."""
+    sources: dict[str, Callable[[random.Random], Iterable[Utterance]]] = {
+        "espeak": lambda source: espeak(_train_wishes(source)),
+        **{voice: partial(_festival, voice) for voice in TRAIN_FESTIVAL},
+        "recordings": lambda source: recordings(),
+        "speechless": lambda source: _speechless(seed),
+    }
+    for name, speak in sources.items():
+        path = out / f"train-{name}.npz"
+        if not path.exists():
+            source, generator = random.Random(f"{seed} {name}"), np.random.default_rng([seed, *name.encode()])
+            _save(path, (_train_example(utterance, source, generator) for utterance in speak(source)))
+            print(path.name, flush=True)
+
+
+def _train_example(utterance: Utterance, source: random.Random, generator: np.random.Generator) -> dict:
+    if source.random() < SPOILT_SHARE and utterance.blocks:
+        return _spoilt_example(utterance, generator)
+    return _example(utterance, utterance.samples, generator)
+
+
+def _speechless(seed: int) -> Iterator[Utterance]:
+    generator = np.random.default_rng(seed)
     for _ in range(N_SPEECHLESS):
-        samples = without_speech(4 * RATE, RATE, generator)
-        yield _example(Utterance("none", "none", "", RATE, samples, []), samples, generator)
+        yield Utterance("none", "none", "", RATE, without_speech(4 * RATE, RATE, generator), [])
 
 
 def _train_wishes(source: random.Random) -> Iterator[EspeakWish]:
     for language, voices in TRAIN_VOICES.items():
         for _ in range(N_ESPEAK_ENGLISH if language == "en" else N_ESPEAK):
-            text = texts.line(language, source)
+            text = texts.varied_line(language, source)
             yield _wish(source.choice(voices), text, source.choice(TRAIN_VARIANTS), source)
 
 
-def _festival(voices: tuple[str, ...], source: random.Random) -> Iterator[Utterance]:
-    for voice in voices:
-        language = FESTIVAL_VOICES[voice][0]
-        n_lines = N_FESTIVAL_ENGLISH if language == "en" else N_FESTIVAL
-        yield from festival(voice, [texts.line(language, source) for _ in range(n_lines)])
+def _festival(voice: str, source: random.Random) -> list[Utterance]:
+    language = FESTIVAL_VOICES[voice][0]
+    n_lines = N_FESTIVAL_ENGLISH if language == "en" else N_FESTIVAL
+    return festival(voice, [texts.varied_line(language, source) for _ in range(n_lines)])
+
+
+def _tuning(source: random.Random) -> Iterator[Utterance]:
+    yield from espeak(_wishes(tuple(TRAIN_VOICES), TRAIN_VARIANTS, N_HELD, source))
+    for voice in TRAIN_FESTIVAL:
+        yield from festival(voice, [texts.line(FESTIVAL_VOICES[voice][0], source) for _ in range(2 * N_HELD)])
 
 
 def _held_voices(source: random.Random) -> Iterator[Utterance]:
@@ -144,11 +173,21 @@ def _spoilt_example(utterance: Utterance, generator: np.random.Generator) -> dic
     samples, speed = sped(utterance.samples, generator)
     lead, tail = (round(seconds * utterance.rate) for seconds in generator.uniform(*PAUSES, 2))
     padded = np.concatenate([np.zeros(lead), samples, np.zeros(tail)])
-    shift = lead / utterance.rate
-    phones = [(start / speed + shift, end / speed + shift, name) for start, end, name in utterance.phones]
-    phones = [(0.0, shift, ""), *phones, (phones[-1][1] if phones else shift, len(padded) / utterance.rate, "")]
-    moved = replace(utterance, samples=padded, phones=phones)
+    blocks = _moved(utterance.blocks, speed, lead / utterance.rate, len(padded) / utterance.rate)
+    moved = replace(utterance, samples=padded, blocks=blocks)
     return _example(moved, spoilt(padded, utterance.rate, generator), generator)
+
+
+def _moved(blocks: list[Block], speed: float, lead: float, duration: float) -> list[Block]:
+    """Blocks at another speed, `lead` seconds later, silence around them from 0 to `duration`."""
+    spoken = [replace(block, start=block.start / speed, duration=block.duration / speed) for block in blocks]
+    while spoken and spoken[0].viseme == "sil":
+        spoken.pop(0)
+    while spoken and spoken[-1].viseme == "sil":
+        spoken.pop()
+    later = [replace(block, start=block.start + lead) for block in spoken]
+    first, last = (later[0].start, later[-1].end) if later else (duration, duration)
+    return [Block(0.0, first, "sil"), *later, Block(last, duration - last, "sil")]
 
 
 def _example(utterance: Utterance, samples: np.ndarray, generator: np.random.Generator) -> dict:
@@ -156,7 +195,7 @@ def _example(utterance: Utterance, samples: np.ndarray, generator: np.random.Gen
     at_rate = signal.resample_poly(samples, RATE, utterance.rate) if utterance.rate != RATE else samples
     dither = 1e-5 * generator.standard_normal(len(at_rate))
     frames = log_mels([(at_rate + dither).astype(np.float32)])
-    blocks = [block for block in blocks_of_phones(utterance.phones) if block.duration > 0]
+    blocks = utterance.blocks
     n_frames = len(frames) // 2
     return {
         "voice": utterance.voice,
@@ -174,13 +213,21 @@ def _save(path: Path, examples: Iterator[dict]) -> None:
     """One archive of concatenated arrays; `lengths` are frames at FPS. Samples only of the held-out parts."""
     items = list(examples)
     arrays = {key: np.concatenate([item[key] for item in items]) for key in ("frames", "classes", "articulators")}
-    if path.stem != "train":
+    if not path.stem.startswith("train-"):
         arrays["samples"] = np.concatenate([item["samples"] for item in items])
         arrays["n_samples"] = np.array([len(item["samples"]) for item in items])
     lengths = np.array([len(item["classes"]) for item in items])
     for key in ("voice", "language", "text"):
         arrays[key] = np.array([item[key] for item in items])
     np.savez(path, lengths=lengths, blocks=_block_table(items), **arrays)
+
+
+def _print_lengths(paths: list[Path]) -> None:
+    """The table of `durations.py`: median (ms) and logarithm's deviation of each viseme, where times are exact."""
+    rows = np.concatenate([np.load(path)["blocks"] for path in paths if path.stem != "train-recordings"])
+    for number, name in enumerate(VISEMES):
+        lengths = rows[rows[:, 3] == number, 2]
+        print(f'"{name}": ({1000 * np.median(lengths):.0f}, {np.log(np.maximum(lengths, 0.01)).std():.2f})')
 
 
 def _block_table(items: list[dict]) -> np.ndarray:

@@ -30,6 +30,11 @@ HINDI = {
     "tth": "t", "ddh": "d", "kh": "k", "gh": "ɡ", "bh": "b", "ch": "tʃ", "j": "dʒ", "y": "j", "v": "ʋ", "w": "w",
     "sh": "ʃ", "zh": "ʒ", "ksh": "kʃ", "sri": "ʃri",
 }  # fmt: skip
+RUSSIAN = {  # doubled vowels are stressed, doubled consonants soft
+    **{letter: letter for letter in "abdefgijklmnoprstuvz"},
+    "y": "ɨ", "h": "x", "c": "ts", "ch": "tʃ", "sh": "ʃ", "sch": "ɕ", "zh": "ʒ", "ae": "ə", "ay": "ə", "ur": "u",
+    "yy": "ɨ", "hh": "x", **{2 * letter: letter for letter in "abdefgiklmnoprstuvz"},
+}  # fmt: skip
 SILENCES = {"pau", "#", "##", "_", "h#", "sil", "SIL", "ssil", "brth", "+spn+", "+nsn+"}
 
 

@@ -13,8 +13,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from phone_sets import CZECH, FINNISH, HINDI, RADIO, ROMANCE, ipa
+from phone_sets import CZECH, FINNISH, HINDI, RADIO, ROMANCE, RUSSIAN, ipa
 from scipy.io import wavfile
+from vectortalker.speech.visemes import Block, blocks_of_phones
 
 Phones = list[tuple[float, float, str]]  # start, end (seconds), IPA; empty IPA: a pause
 
@@ -31,6 +32,7 @@ FESTIVAL_VOICES = {  # voice: language of the sentences, phone set, encoding tha
     "czech_ph": ("cs", CZECH, "iso-8859-2"),
     "czech_machac": ("cs", CZECH, "iso-8859-2"),
     "hindi_NSK_diphone": ("hi", HINDI, "utf-8"),
+    "msu_ru_nsh_clunits": ("ru", RUSSIAN, "utf-8"),
 }
 GAP_LEVEL = 10 ** (-50 / 20)  # of the peak: voiced closures are at -30 dB, espeak-ng's voiceless ones below -80 dB
 GAP_SECONDS = (0.008, 0.15)  # least and greatest length of a closure
@@ -49,7 +51,7 @@ class Utterance:
     text: str
     rate: int
     samples: np.ndarray
-    phones: Phones
+    blocks: list[Block]
 
 
 @dataclass(frozen=True)
@@ -85,7 +87,8 @@ def espeak(wishes: Iterator[EspeakWish]) -> Iterator[Utterance]:
             (start, end, _LANGUAGE_SWITCH.sub("", name)) for (start, name), end in zip(events, ends, strict=False)
         ]
         heard = samples / np.float32(32768)
-        yield Utterance(f"espeak {voice}", wish.language, wish.text, rate, heard, with_closures(phones, heard, rate))
+        blocks = blocks_of_phones(with_closures(phones, heard, rate))
+        yield Utterance(f"espeak {voice}", wish.language, wish.text, rate, heard, blocks)
     process.stdin.close()
     process.wait()
 
@@ -115,7 +118,7 @@ def flite(voice: str, text: str) -> Utterance:
         told = subprocess.run(command, check=True, capture_output=True, text=True).stdout
         rate, samples = wavfile.read(file.name)
     ends = [item.rsplit(":", 1) for item in told.split()]
-    return Utterance(f"flite {voice}", "en", text, rate, samples / np.float32(32768), _phones(ends, RADIO))
+    return Utterance(f"flite {voice}", "en", text, rate, samples / np.float32(32768), _blocks(ends, RADIO))
 
 
 def festival(voice: str, texts: list[str]) -> list[Utterance]:
@@ -133,12 +136,14 @@ def festival(voice: str, texts: list[str]) -> list[Utterance]:
         for index, row in enumerate(row for row in told.splitlines() if "|" in row):
             rate, samples = wavfile.read(f"{folder}/{index}.wav")
             ends = [item.split() for item in row.strip("|").split("|")]
-            phones = _phones(ends, table)
+            blocks = _blocks(ends, table)
             heard = samples / np.float32(32768)
-            utterances.append(Utterance(f"festival {voice}", language, texts[index], rate, heard, phones))
+            utterances.append(Utterance(f"festival {voice}", language, texts[index], rate, heard, blocks))
     return utterances
 
 
-def _phones(ends: list[list[str]], table: dict[str, str]) -> Phones:
+def _blocks(ends: list[list[str]], table: dict[str, str]) -> list[Block]:
     times = [float(end) for _, end in ends]
-    return [(start, end, ipa(name, table)) for (name, _), start, end in zip(ends, [0.0, *times], times, strict=False)]
+    return blocks_of_phones(
+        (start, end, ipa(name, table)) for (name, _), start, end in zip(ends, [0.0, *times], times, strict=False)
+    )

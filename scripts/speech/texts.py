@@ -9,10 +9,14 @@ from functools import cache
 from pathlib import Path
 
 SENTENCES = Path(__file__).with_name("sentences.json")
-SENTENCE_SHARE, NUMBER_SHARE = (
-    0.45,
-    0.15,
-)  # the rest are invented words, whose phones come in orders no sentence has
+SENTENCE_SHARE, NUMBER_SHARE = 0.45, 0.15  # the rest are invented words, whose phones come in orders no sentence has
+DICTIONARIES = Path("/usr/share/dict")  # Debian's lists of words
+WORD_LISTS = {
+    "en": "american-english", "de": "ngerman", "fr": "french", "es": "spanish", "nl": "dutch", "pl": "polish",
+    "pt": "portuguese", "ca": "catalan",
+}  # fmt: skip
+DICTIONARY_LENGTH = 14  # letters
+DICTIONARY_SHARE = 0.6  # of a line's words; the rest are common ones, of sentences
 ORDER = 2  # letters of context from which an invented word goes on
 WORD_LENGTH = (2, 11)  # letters
 
@@ -29,6 +33,18 @@ def line(language: str, random_source: random.Random) -> str:
     return " ".join(words).capitalize() + "."
 
 
+def varied_line(language: str, random_source: random.Random) -> str:
+    """A line of words as a dictionary has them, common ones between them; as `line` where there is no dictionary."""
+    if language not in WORD_LISTS or random_source.random() < SENTENCE_SHARE:
+        return line(language, random_source)
+    rare, common = _dictionary(language), " ".join(_sentences()[language]).split()
+    words = [
+        random_source.choice(rare if random_source.random() < DICTIONARY_SHARE else common).strip(",.?!")
+        for _ in range(random_source.randint(6, 9))
+    ]
+    return " ".join(words).capitalize() + "."
+
+
 def held_sentence(language: str, random_source: random.Random) -> str:
     """A sentence that no voice is trained on, of words that all voices read alike."""
     return random_source.choice(_sentences()[f"{language} held"])
@@ -37,6 +53,13 @@ def held_sentence(language: str, random_source: random.Random) -> str:
 @cache
 def _sentences() -> dict[str, list[str]]:
     return json.loads(SENTENCES.read_text(encoding="utf-8"))
+
+
+@cache
+def _dictionary(language: str) -> list[str]:
+    """Words without abbreviations. Raises FileNotFoundError without Debian's list."""
+    words = (DICTIONARIES / WORD_LISTS[language]).read_text(encoding="utf-8").split()
+    return [word for word in words if word.isalpha() and word[1:].islower() and len(word) <= DICTIONARY_LENGTH]
 
 
 def _invented(language: str, random_source: random.Random) -> str:

@@ -2,7 +2,8 @@
 
 python scripts/speech/train.py CORPUS_FOLDER [--seed 0] [--epochs 20] [--start speech.pt] [--threads 1] [--out FOLDER]
 
-The weights are also kept in the corpus folder as `speech.pt`, to go on from.
+The weights are also kept in the corpus folder as `speech.pt`, to go on from. After each epoch the whole state is kept
+there as `state.pt`; a run that was cut short and is begun again with the same options goes on from it.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from pathlib import Path
 
 import numpy as np
 import torch
+from distortion import at, distorted, noisy
 from network import FUTURE, PAST, SpeechNetwork
 from torch import Tensor
 from torch.nn import functional
@@ -28,13 +30,9 @@ LIP_WEIGHT = 3.0  # of errors of `press` and `lower_raise`, which make the closu
 ARTICULATOR_WEIGHT = 4.0  # of the mean square against the cross-entropy
 CLOSURE_WEIGHT = 1.5  # of PP and FF in the cross-entropy: a missed closure is what people see
 OPSET = 17
+TEMPO = (0.82, 1.2)
+NOISE_SHARE = 0.6  # of crops
 MODEL_FOLDER = Path("backend/vectortalker/speech/model")
-
-
-TEMPO, WARP = (0.82, 1.2), (0.88, 1.12)  # of time, and of the mel axis
-NOISE_SHARE = 0.6  # of clips
-NOISE_BELOW = (1.5, 10.0)  # nats of power (6 to 43 dB) from the clip's loudest moments down to the noise
-COLOUR = 0.5  # nats, deviation of the knots of a smooth response
 
 
 @dataclass(frozen=True)
@@ -43,6 +41,13 @@ class Clip:
     classes: np.ndarray  # [n]
     articulators: np.ndarray  # [n, 7]
     is_noise: bool  # nobody speaks
+
+
+@dataclass(frozen=True)
+class Plan:
+    seed: int
+    n_epochs: int
+    peak_rate: float
 
 
 def load(path: Path) -> list[Clip]:
@@ -66,45 +71,15 @@ def batch_of(clips: list[Clip], noises: list[Clip], generator: np.random.Generat
     for row, clip in enumerate(clips):
         tempo = generator.uniform(*TEMPO)
         start = int(generator.integers(max(1, len(clip.classes) - round(CROP * tempo) + 1)))
-        piece = _at(clip.frames, 2 * start + np.arange(2 * CROP) * tempo)
+        piece = at(clip.frames, 2 * start + np.arange(2 * CROP) * tempo)
         if generator.random() < NOISE_SHARE:
-            piece = _noisy(piece, noises[int(generator.integers(len(noises)))], generator)
-        frames[row] = _distorted(normalised(piece), generator)
+            piece = noisy(piece, noises[int(generator.integers(len(noises)))].frames, generator)
+        frames[row] = distorted(normalised(piece), generator)
         places = start + np.arange(CROP) * tempo
         n_frames = int((places <= len(clip.classes) - 1).sum())
         classes[row, :n_frames] = clip.classes[np.rint(places[:n_frames]).astype(int)]
-        articulators[row, :n_frames] = _at(clip.articulators, places[:n_frames])
+        articulators[row, :n_frames] = at(clip.articulators, places[:n_frames])
     return torch.from_numpy(frames), torch.from_numpy(classes), torch.from_numpy(articulators)
-
-
-def _at(rows: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """Rows at fractional places, linear between them, the last one beyond the end."""
-    places = np.minimum(places, len(rows) - 1)
-    below = places.astype(int)
-    share = (places - below).astype(np.float32)[:, None]
-    return rows[below] * (1 - share) + rows[np.minimum(below + 1, len(rows) - 1)] * share
-
-
-def _noisy(frames: np.ndarray, noise: Clip, generator: np.random.Generator) -> np.ndarray:
-    """Powers add up, which log powers cannot show of the phases between them."""
-    start = int(generator.integers(len(noise.frames)))
-    added = np.take(noise.frames, start + np.arange(len(frames)), axis=0, mode="wrap").astype(np.float32)
-    level = np.quantile(frames.mean(axis=1), 0.95) - generator.uniform(*NOISE_BELOW)
-    return np.logaddexp(frames, added - added.mean() + level)
-
-
-def _distorted(clip: np.ndarray, generator: np.random.Generator) -> np.ndarray:
-    """Formants shifted by a warp of the mel axis, a smooth colour, a masked band and a masked moment."""
-    bands = np.arange(N_MELS)
-    warped = np.ascontiguousarray(_at(clip.T, bands * generator.uniform(*WARP)).T)
-    warped += np.interp(bands, np.linspace(0, N_MELS, 5), generator.normal(0, COLOUR, 5)).astype(np.float32)
-    if generator.random() < 0.5:
-        band = int(generator.integers(N_MELS - 6))
-        warped[:, band : band + int(generator.integers(1, 6))] = 0
-    if generator.random() < 0.3:
-        moment = int(generator.integers(len(clip) - 10))
-        warped[moment : moment + int(generator.integers(2, 8))] = 0
-    return warped
 
 
 def loss_of(network: SpeechNetwork, frames: Tensor, classes: Tensor, articulators: Tensor) -> Tensor:
@@ -117,32 +92,56 @@ def loss_of(network: SpeechNetwork, frames: Tensor, classes: Tensor, articulator
     return crossed + ARTICULATOR_WEIGHT * ((curves - articulators) ** 2 * channels).mean()
 
 
-def train(network: SpeechNetwork, clips: list[Clip], seed: int, n_epochs: int, peak_rate: float) -> None:
-    generator = np.random.default_rng(seed)
-    optimiser = torch.optim.AdamW(network.parameters(), peak_rate, weight_decay=1e-2)
+def train(network: SpeechNetwork, clips: list[Clip], plan: Plan, state: Path) -> None:
+    """Train `network` in place, from `state` where an earlier run of the same plan left one."""
+    generator = np.random.default_rng(plan.seed)
+    optimiser = torch.optim.AdamW(network.parameters(), plan.peak_rate, weight_decay=1e-2)
     n_steps = sum(len(clip.classes) for clip in clips) // (CROP * BATCH)
-    schedule = torch.optim.lr_scheduler.OneCycleLR(optimiser, peak_rate, total_steps=n_epochs * n_steps, pct_start=0.15)
+    schedule = torch.optim.lr_scheduler.OneCycleLR(
+        optimiser, plan.peak_rate, total_steps=plan.n_epochs * n_steps, pct_start=0.15
+    )
+    parts = (network, optimiser, schedule)
+    first = _resumed(state, plan, parts, generator) if state.exists() else 0
+    for epoch in range(first, plan.n_epochs):
+        loss = _epoch(network, clips, n_steps, (optimiser, schedule), generator)
+        kept = [part.state_dict() for part in parts]
+        torch.save((plan, epoch + 1, kept, generator.bit_generator.state, torch.get_rng_state()), state)
+        print(f"epoch {epoch + 1}/{plan.n_epochs}: loss {loss:.4f}, {time.process_time():.0f} CPU s", flush=True)
+    network.eval()
+
+
+def _resumed(state: Path, plan: Plan, parts: tuple, generator: np.random.Generator) -> int:
+    """Put the kept state into the parts and the generators; the number of epochs done. Another plan's is refused."""
+    kept_plan, n_done, kept, numbers, torch_numbers = torch.load(state, weights_only=False)
+    if kept_plan != plan:
+        raise SystemExit(f"{state} is of another run, {kept_plan}: remove it, or give its options.")
+    for part, values in zip(parts, kept, strict=True):
+        part.load_state_dict(values)
+    generator.bit_generator.state = numbers
+    torch.set_rng_state(torch_numbers)
+    return n_done
+
+
+def _epoch(
+    network: SpeechNetwork, clips: list[Clip], n_steps: int, optimisers: tuple, generator: np.random.Generator
+) -> float:
+    """Mean loss of `n_steps` batches, clips drawn by their length."""
+    optimiser, schedule = optimisers
     noises = [clip for clip in clips if clip.is_noise]
     lengths = np.array([len(clip.classes) for clip in clips], float)
-    started = time.monotonic()
-    for epoch in range(n_epochs):
-        total = 0.0
-        for _ in range(n_steps):
-            chosen = generator.choice(len(clips), BATCH, p=lengths / lengths.sum())
-            batch = batch_of([clips[index] for index in chosen], noises, generator)
-            with torch.autocast("cpu", torch.bfloat16):  # half the time on processors that multiply it
-                loss = loss_of(network, *batch)
-            optimiser.zero_grad()
-            loss.backward()
-            torch.nn.utils.clip_grad_norm_(network.parameters(), 1.0)
-            optimiser.step()
-            schedule.step()
-            total += loss.item()
-        print(
-            f"epoch {epoch + 1}/{n_epochs}: loss {total / n_steps:.4f}, {time.monotonic() - started:.0f} s",
-            flush=True,
-        )
-    network.eval()
+    total = 0.0
+    for _ in range(n_steps):
+        chosen = generator.choice(len(clips), BATCH, p=lengths / lengths.sum())
+        batch = batch_of([clips[index] for index in chosen], noises, generator)
+        with torch.autocast("cpu", torch.bfloat16):  # half the time on processors that multiply it
+            loss = loss_of(network, *batch)
+        optimiser.zero_grad()
+        loss.backward()
+        torch.nn.utils.clip_grad_norm_(network.parameters(), 1.0)
+        optimiser.step()
+        schedule.step()
+        total += loss.item()
+    return total / n_steps
 
 
 def export(network: SpeechNetwork, path: Path) -> None:
@@ -173,13 +172,13 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=MODEL_FOLDER)
     options = parser.parse_args()
     torch.set_num_threads(options.threads)
-    clips = load(options.corpus / "train.npz")
-    cpu_before = time.process_time()
+    clips = [clip for path in sorted(options.corpus.glob("train-*.npz")) for clip in load(path)]
+    plan = Plan(options.seed, options.epochs, options.rate)
     torch.manual_seed(options.seed)
     network = SpeechNetwork()
     if options.start:
-        network.load_state_dict(torch.load(options.start, weights_only=True))
-    train(network, clips, options.seed, options.epochs, options.rate)
+        network.load_state_dict(torch.load(options.start, weights_only=True), strict=False)  # it may have fewer layers
+    train(network, clips, plan, options.corpus / "state.pt")
     torch.save(network.state_dict(), options.corpus / "speech.pt")
     path = options.out / "speech.onnx"
     export(network, path)
@@ -191,13 +190,13 @@ def main() -> None:
         "peak_rate": options.rate,
         "parameters": sum(parameter.numel() for parameter in network.parameters()),
         "bytes": path.stat().st_size,
-        "cpu_minutes": round((time.process_time() - cpu_before) / 60, 1),
         "past_frames": PAST,
         "future_frames": FUTURE,
         "data": {
             "script": "scripts/speech/corpus.py",
             "hours": round(sum(len(clip.classes) for clip in clips) / 50 / 3600, 2),
-            "synthesisers": "espeak-ng 1.51 (12 languages, 51 variants), Festival 2.5 (8 voices of 5 languages)",
+            "synthesisers": "espeak-ng 1.51 (12 languages, 51 variants), Festival 2.5 (9 voices of 6 languages)",
+            "recordings": "prompts of asterisk-core-sounds 1.6.1 in en, es, fr and ru (4 speakers)",
         },
     }
     (options.out / "speech.json").write_text(json.dumps(card, indent=2) + "\n", encoding="utf-8")

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from vectortalker.speech.visemes import Block
 
 SCRIPTS = Path(__file__).parents[2] / "scripts" / "speech"
 RATE = 1000
@@ -41,3 +42,13 @@ def test_pause_is_not_a_closure(synthesisers) -> None:
 def test_voiced_sounds_stay_where_they_are(synthesisers) -> None:
     phones = [(0.0, 0.5, "a"), (0.5, 1.0, "m")]
     assert synthesisers.with_closures(phones, voiced((0, 0)), RATE) == phones
+
+
+def test_spoilt_blocks_are_sped_up_and_lie_between_two_pauses(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(str(SCRIPTS))
+    corpus = __import__("corpus")
+    spoken = [Block(0.0, 0.2, "sil"), Block(0.2, 0.4, "aa"), Block(0.6, 0.2, "PP"), Block(0.8, 0.1, "sil")]
+    moved = corpus._moved(spoken, speed=2.0, lead=0.5, duration=1.5)
+    assert [block.viseme for block in moved] == ["sil", "aa", "PP", "sil"]
+    assert [block.start for block in moved] == pytest.approx([0.0, 0.6, 0.8, 0.9])
+    assert moved[-1].end == pytest.approx(1.5)
