@@ -7,6 +7,7 @@ use crate::mesh::Mesh;
 use crate::mesh::grid::{Grid, bounds};
 use crate::point::Point;
 use crate::scene::{Layer, SceneGeometry};
+use crate::sockets::Sockets;
 use crate::split::{Anchor, SplitPath, keep_path, split_path};
 
 #[derive(Clone, Copy, Debug)]
@@ -54,32 +55,38 @@ pub struct Frame {
 }
 
 impl BoundPaths {
-    /// Binds the fore to the mesh and each local path to its bones; `moving` marks the vertices that can ever move.
+    /// Binds the fore to the mesh, local paths and lids to their bones; `moving` marks the vertices that can ever move.
     #[must_use]
     pub fn bind(scene: &SceneGeometry, mesh: &Mesh, moving: &[Point], options: Options, mouth_closed: bool) -> Self {
         let (low, high) = bounds(moving);
         let grid = Grid::new(mesh, low, high);
+        let sockets = Sockets::of(&mesh.rest);
         let mut bound = Self { strains: Strains::of(mesh), ..Self::default() };
         let mut from = 0;
         for (&n_segments, &layer) in scene.segments.iter().zip(scene.layers) {
             let source = &scene.points[from..from + 3 * n_segments];
             from += source.len();
-            match layer {
-                Layer::Back => bound.push(source, Vec::new(), |_| Vec::new()),
-                Layer::Local(part) => {
+            let bones = match layer {
+                Layer::Back => None,
+                Layer::Fore => sockets.eye_of_lid(source),
+                Layer::Local(part) => Some(part),
+            };
+            match (layer, bones) {
+                (_, Some(part)) => {
                     bound.push(source, Vec::new(), |i| influences(part, source[i], &mesh.rest, mouth_closed));
                 }
-                Layer::Fore if options.split => {
+                (Layer::Fore, None) if options.split => {
                     let path = split_path(source, mesh, &grid);
                     let smooth = if options.smooth { smooth_joints(&path, mesh) } else { Vec::new() };
                     bound.push(&path.points, smooth, |i| piece_influences(mesh, &path, i));
                 }
-                Layer::Fore => {
+                (Layer::Fore, None) => {
                     let path = keep_path(source, mesh, &grid);
                     bound.push(&path.points, Vec::new(), |i| {
                         triangle_influences(mesh, grid.locate(mesh, source[i]), source[i])
                     });
                 }
+                (Layer::Back | Layer::Local(_), None) => bound.push(source, Vec::new(), |_| Vec::new()),
             }
         }
         bound

@@ -17,4 +17,5 @@ pub mod pose;
 pub mod rig;
 pub mod scene;
 pub mod smil;
+pub mod sockets;
 pub mod split;

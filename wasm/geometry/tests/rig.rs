@@ -252,6 +252,17 @@ fn iris_keeps_its_shape_and_full_blink_closes_exactly() {
     }
 }
 
+#[test]
+fn lids_stay_in_their_socket_and_lashes_close_over_them() {
+    let landmarks = face(0.0);
+    let eye = landmarks[37].lerp(landmarks[40], 0.5);
+    let paths =
+        [(Layer::Fore, blob(eye, Point::new(3.0, 2.0))), (Layer::Fore, blob(landmarks[37], Point::new(3.0, 2.0)))];
+    let rig = rig_of(landmarks, &paths, Options::default());
+    let moved = warped(&rig, &pose_of(&rig, &[(Channel::BlinkLeft, 1.0)]));
+    assert_eq!(moved.keys().copied().collect::<Vec<_>>(), [1]);
+}
+
 /// Lids that close aslant, under low brows, carry their bands across those of the brows.
 #[test]
 fn slanting_eyes_under_low_brows_close_fully() {
