@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import vectortalker_core as core
 from numpy.typing import NDArray
-from scipy.ndimage import maximum_filter, minimum_filter
+from scipy.ndimage import distance_transform_edt, maximum_filter, minimum_filter
 
 from vectortalker.inpaint import fill
 from vectortalker.landmarks.ibug import IrisDisc
@@ -22,7 +22,10 @@ CORE = 0.98  # coverage at which a pixel shows nothing but the opening's inside
 CONFINEMENT = 0.5  # weight of fore paint over scenery, against 1 for a squared error of the picture
 WHOLENESS = 0.3  # weight of the fore layer alone inside its silhouette
 HIDDEN_WEIGHT = 0.15  # of what another layer hides at rest: it shows only when the head or a lid moves
-LID_WEIGHT = 0.5  # of skin under the openings: every blink shows it
+LID_WEIGHT = 0.5  # of skin under the openings: every blink shows it …
+UNSETTLED_WEIGHT = 0.05  # … but where it begins, an edge of paths would be spent on what hardly shows
+SETTLED_DEPTH = 3.0  # px behind the first whole one of an opening from which skin has its whole weight
+SEEN_AGAIN = 2.0  # weight of the merged error within openings, as fore and back have their own sheets besides
 EMPHASIS = 2.0  # weight of eyes and mouth: they move, and people look there
 LOCAL_SHARE = 0.05  # of all paths lie within eyes and open mouth, at least
 LOCAL_RADIUS = 0.12  # of the square root of the openings' area: a third of an eye's height
@@ -122,21 +125,41 @@ def layered_level(
     frame = (smoothed.shape[1], smoothed.shape[0])
     mask, emphasis, discs = (resize(part, frame) for part in (images.mask, images.emphasis, images.discs))
     clips = np.ascontiguousarray(resize(images.clips.transpose(1, 2, 0), frame).transpose(2, 0, 1))
+    clips[clips <= LEAST_COVERAGE] = 0
     opening = clips.sum(axis=0).clip(0, 1)
     scenery = 1 - mask
     back = _blend(resize(images.layers.back, frame), smoothed, scenery)
-    fore = _blend(resize(images.layers.fore, frame), smoothed, mask * (1 - opening))
+    lid, lid_weight = _lids(clips)
+    fore = _blend(resize(images.layers.fore, frame), smoothed, mask * (1 - lid))
     back_weight = scenery + HIDDEN_WEIGHT * mask
-    fore_weight = mask * emphasis * (1 - (1 - LID_WEIGHT) * opening)
+    fore_weight = mask * emphasis * lid_weight
+    merged_weight = emphasis * np.where(opening > 0, SEEN_AGAIN * opening**2, 1)
     groups = np.zeros(mask.shape, np.int64)
     sheets = (
         _sheet(FORE, back, back_weight, back_weight, groups + BACK),
         _sheet(FIRST_LOCAL, fore, fore_weight, fore_weight, groups + FORE),
         _sheet(FIRST_IRIS, resize(images.ball, frame), HIDDEN_WEIGHT * discs * opening, 0 * mask, groups + FIRST_LOCAL),
-        _sheet(TOP, smoothed, emphasis, opening * emphasis, _nearest(images.parts, frame), *_local_quota(opening)),
+        _sheet(TOP, smoothed, merged_weight, opening * emphasis, _nearest(images.parts, frame), *_local_quota(opening)),
     )
     completion = _completion(images, frame) if opening.any() else None
-    return Level(sheets, openings, clips, _silhouette(fore, mask, frame), completion, canvas)
+    whole = (clips > 0).astype(np.float32)
+    return Level(sheets, openings, whole, opening, _silhouette(fore, mask, frame), completion, canvas)
+
+
+def _lids(clips: NDArray[np.float32]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Share f32 [h, w] of skin in what fore paints under openings of coverage [k, h, w], and the weight of its error.
+
+    A pixel that an opening's edge covers by α shows (1 − α)·fore + α·local: both have the picture itself for target
+    there, so that their mixture is the picture whatever α, and the squares of their shares for weight.
+    """
+    lid, weight = np.zeros(clips.shape[1:], np.float32), np.ones(clips.shape[1:], np.float32)
+    for clip in clips:
+        edge, whole = (clip > 0) & (clip <= CORE), clip > CORE
+        weight[edge] *= (1 - clip[edge]) ** 2
+        depth = np.asarray(distance_transform_edt(whole), np.float32)
+        settled = np.clip((depth[whole] - 1) / SETTLED_DEPTH, UNSETTLED_WEIGHT, 1)
+        lid[whole], weight[whole] = 1, LID_WEIGHT * settled
+    return lid, weight
 
 
 def _sheet(

@@ -73,13 +73,15 @@ class Completion:
 class Level:
     """Targets at one resolution. `sheets` bottom to top, the last is the merged picture.
 
-    `openings`: outlines [3S, 2] in its px; `clips` f32 [k, H, W]: their coverage. `silhouette` and `completion`: what
-    fore and local paint alone; None without layers.
+    `openings`: outlines [3S, 2] in its px; `opening` f32 [H, W]: their coverage. `clips` f32 [k, H, W]: 1 wherever that
+    is not zero, because renderers clip the local layer as a whole, once, and the rasteriser would clip every path of
+    it. `silhouette` and `completion`: what fore and local paint alone; None without layers.
     """
 
     sheets: tuple[Sheet, ...]
     openings: tuple[NDArray[np.float64], ...]
     clips: NDArray[np.float32]
+    opening: NDArray[np.float32]
     silhouette: Silhouette | None
     completion: Completion | None
     canvas: NDArray[np.float32]
@@ -97,6 +99,6 @@ class Level:
 def single_sheet_level(picture: NDArray[np.float32], group: int, canvas: NDArray[np.float32]) -> Level:
     """Everything in one group, for `--no-layers` and for pictures without a person."""
     height, width, _ = picture.shape
-    ones = np.ones((height, width), np.float32)
+    ones, none = np.ones((height, width), np.float32), np.zeros((height, width), np.float32)
     sheet = Sheet(TOP, picture, ones, ones, np.full((height, width), group, np.int64))
-    return Level((sheet,), (), np.zeros((0, height, width), np.float32), None, None, canvas)
+    return Level((sheet,), (), np.zeros((0, height, width), np.float32), none, None, None, canvas)

@@ -9,7 +9,7 @@ import vectortalker_core as core
 from numpy.typing import NDArray
 
 from vectortalker.scene import OPENING_OF_PART
-from vectortalker.vectorize.level import FIRST_LOCAL, FORE, Completion, Level, Silhouette
+from vectortalker.vectorize.level import FIRST_LOCAL, FORE, TOP, Completion, Level, Silhouette
 from vectortalker.vectorize.population import Population
 
 FLATNESS = 0.1  # px; the pictures of finished scenes come within 55 dB of much finer chords'
@@ -156,3 +156,13 @@ def picture_below(population: Population, level: Level, group: int, fidelity: Fi
         threads=fidelity.threads,
         flatness=fidelity.flatness,
     )
+
+
+def merged_picture(population: Population, level: Level, fidelity: Fidelity) -> NDArray[np.float32]:
+    """Image f32 [H, W, 3] of all layers; at an opening's edge (1 − α)·fore + α·local, as local is clipped once."""
+    merged = picture_below(population, level, TOP, fidelity)
+    edge = (level.opening > 0) & (level.opening < 1)
+    if edge.any():
+        fore, share = picture_below(population, level, FIRST_LOCAL, fidelity)[edge], level.opening[edge, None]
+        merged[edge] = fore + share * (merged[edge] - fore)
+    return merged

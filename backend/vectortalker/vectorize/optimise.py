@@ -21,6 +21,7 @@ PICTURE_EVERY = 100  # iterations between scenes worth showing
 REALLOCATE_EVERY = 50
 LEAST_IMPORTANCE = 0.25  # paths under this share of the mean importance are moved …
 MOST_MOVED = 0.08  # … at most this share of all at a time
+LOCAL_KEPT = 0.1  # share of all paths up to which local ones are left alone
 REALLOCATED_RADIUS = 0.8  # of the level's
 COARSE_FLATNESS = 0.2  # px that a chord may stray before the polish
 ASIDE_EVERY = 2  # iterations between passes over single layers; their weight makes up for those left out
@@ -132,7 +133,7 @@ def _iterate(
     move(population, result.gradients, ingredients.rates.scaled(iteration.rate), level.frame, settings.opaque)
     if iteration.moved_radius is None or result.importance is None:
         return population
-    weak = least_important(result.importance[: population.below(FIRST_LOCAL)])
+    weak = least_important(result.importance, population.group)
     kept = take(population, np.setdiff1d(np.arange(len(population)), weak))
     gradient = settings.fills == "gradient"
     return seed(kept, level, len(weak), iteration.moved_radius, ingredients, gradient, generator)
@@ -153,10 +154,20 @@ def _add_asides(
         complete_local(population, level.completion, level.frame, ASIDE_EVERY, threads, gradients)
 
 
-def least_important(importance: NDArray[np.float64]) -> NDArray[np.int64]:
+def least_important(importance: NDArray[np.float64], group: NDArray[np.int64]) -> NDArray[np.int64]:
     """Indices of the paths to move: the weakest, under `LEAST_IMPORTANCE` of the mean, `MOST_MOVED` of all at most.
 
-    Local paths are left out by the caller: eyes are small, and what looks useless there is a highlight.
+    The mean is that of back and fore. Local paths are moved only while they are more than `LOCAL_KEPT` of all: eyes are
+    small, and what looks useless there is a highlight. The lowest path of a part is never moved: it shows when eyes
+    turn and lips part.
     """
-    order = np.argsort(importance, kind="stable")[: int(MOST_MOVED * len(importance))]
-    return order[importance[order] < LEAST_IMPORTANCE * importance.mean()]
+    local = group >= FIRST_LOCAL
+    free = ~local
+    if np.count_nonzero(local) > LOCAL_KEPT * len(group):
+        lowest = np.unique(group, return_index=True)[1]
+        free = np.ones(len(group), np.bool_)
+        free[lowest[group[lowest] >= FIRST_LOCAL]] = False
+    least = LEAST_IMPORTANCE * importance[~local].mean() if not local.all() else 0.0
+    candidates = np.flatnonzero(free & (importance < least))
+    weakest = np.argsort(importance[candidates], kind="stable")[: int(MOST_MOVED * np.count_nonzero(free))]
+    return candidates[weakest]

@@ -18,7 +18,7 @@ from vectortalker import metrics
 from vectortalker.scene import LayeredScene, to_wire
 from vectortalker.svg import to_svg
 from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, TOP, Level
-from vectortalker.vectorize.losses import Fidelity, picture_below
+from vectortalker.vectorize.losses import Fidelity, merged_picture
 from vectortalker.vectorize.population import Population
 
 WINDOW = 9  # px: much wider than the noise of an edge's coverage
@@ -26,7 +26,7 @@ WINDOW = 9  # px: much wider than the noise of an edge's coverage
 
 def compensate(level: Level, population: Population, fidelity: Fidelity) -> Level:
     """The level with every sheet's target lowered by the renderer's slowly varying excess."""
-    own = picture_below(population, level, TOP, fidelity)
+    own = merged_picture(population, level, fidelity)
     excess = uniform_filter(_painted(level, population) - own, size=WINDOW, axes=(0, 1), mode="nearest")
     return replace(level, sheets=tuple(replace(sheet, target=sheet.target - excess) for sheet in level.sheets))
 
