@@ -58,12 +58,12 @@ for (const count of PATHS) {
   const rig = build();
   const buildMs = cpuMs(() => build().free());
   const rest = rig.restVertices;
+  const axes = new Float64Array(4 * count);
   const frameOf = () => {
     const posed = rig.vertices(open, none);
-    const frame = rig.frame(posed.positions, rest);
-    const strings = frame.strings;
-    const counts = { changed: frame.changed.length, characters: strings.text.length };
-    for (const object of [posed, frame, strings]) object.free();
+    const frame = rig.frameData(posed.positions, rest, axes);
+    const counts = { changed: frame.changed.length, characters: frame.text.length };
+    for (const object of [posed, frame]) object.free();
     return counts;
   };
   const frameMs = cpuMs(() => {

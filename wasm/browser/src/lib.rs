@@ -4,13 +4,14 @@ use geometry::bound::Options;
 use geometry::error::RigError;
 use geometry::face::Iris;
 use geometry::opening::{N_LANDMARKS, Opening};
-use geometry::path_string::push_path;
+use geometry::path_string::path_string;
 use geometry::point::{Point, from_flat, to_flat};
 use geometry::pose::channel::{CHANNELS, Pose};
 use geometry::rig::{RestFace, Rig};
 use geometry::scene::{Layer, SceneGeometry};
 use wasm_bindgen::prelude::*;
 
+mod frame;
 mod smil;
 
 /// Names of the articulators, in the order `Rig.vertices` takes them.
@@ -31,7 +32,7 @@ pub fn channel_ranges() -> Vec<f64> {
 #[wasm_bindgen(js_name = pathData)]
 #[must_use]
 pub fn path_data(points: &[f64]) -> String {
-    geometry::path_string::path_string(&from_flat(points))
+    path_string(&from_flat(points))
 }
 
 /// Landmarks and irises for five pins `x, y, …`: 136 numbers, then x, y, radius twice; empty when the pins coincide.
@@ -127,15 +128,6 @@ impl BrowserRig {
         })
     }
 
-    /// Paths that differ between two lists of vertices, with control points and path strings.
-    ///
-    /// # Errors
-    /// A `RigError` when a list does not fit the rig.
-    pub fn frame(&self, vertices: &[f64], since: &[f64]) -> Result<BrowserFrame, JsError> {
-        let frame = self.rig.frame(&from_flat(vertices), &from_flat(since)).map_err(raise)?;
-        Ok(BrowserFrame { frame })
-    }
-
     /// Outline of opening 0 (left eye), 1 (right eye) or 2 (mouth) for posed vertices; empty when there is none.
     #[must_use]
     pub fn opening(&self, opening: usize, vertices: &[f64]) -> Vec<f64> {
@@ -175,69 +167,6 @@ impl PosedVertices {
     #[must_use]
     pub fn triangles(&self) -> Vec<u32> {
         self.triangles.clone()
-    }
-}
-
-/// The changed paths of a frame.
-#[wasm_bindgen(js_name = Frame)]
-pub struct BrowserFrame {
-    frame: geometry::bound::Frame,
-}
-
-#[wasm_bindgen(js_class = Frame)]
-impl BrowserFrame {
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn changed(&self) -> Vec<u32> {
-        self.frame.changed.iter().map(|&path| path as u32).collect()
-    }
-
-    /// `starts[k]..starts[k + 1]` are the points of path `changed[k]`.
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn starts(&self) -> Vec<u32> {
-        self.frame.starts.iter().map(|&start| start as u32).collect()
-    }
-
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn points(&self) -> Vec<f64> {
-        to_flat(&self.frame.points)
-    }
-
-    /// Path data of all changed paths, one string.
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn strings(&self) -> PathStrings {
-        let mut text = Vec::with_capacity(16 * self.frame.points.len());
-        let mut ends = Vec::with_capacity(self.frame.changed.len());
-        for range in self.frame.starts.windows(2) {
-            push_path(&self.frame.points[range[0]..range[1]], &mut text);
-            ends.push(text.len() as u32);
-        }
-        PathStrings { text: String::from_utf8(text).unwrap_or_default(), ends }
-    }
-}
-
-/// Path data of several paths in one string; path k ends before character `ends[k]`.
-#[wasm_bindgen]
-pub struct PathStrings {
-    text: String,
-    ends: Vec<u32>,
-}
-
-#[wasm_bindgen]
-impl PathStrings {
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn text(&self) -> String {
-        self.text.clone()
-    }
-
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn ends(&self) -> Vec<u32> {
-        self.ends.clone()
     }
 }
 

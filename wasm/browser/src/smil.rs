@@ -1,7 +1,6 @@
-//! Browser face of animated SVG and of gradients that go along with their paths.
+//! Browser face of animated SVG.
 
-use geometry::gradient::follow_path;
-use geometry::point::{Point, from_flat, to_flat};
+use geometry::point::from_flat;
 use geometry::smil::{Fill, Options, Picture, RiggedMotion, write};
 use wasm_bindgen::prelude::*;
 
@@ -51,32 +50,5 @@ impl BrowserRig {
             .filter(|_| picture.is_whole() && options.is_sound())
             .map(|motion| write(&picture, &motion, &options))
             .ok_or_else(misfit)
-    }
-
-    /// Ends of the gradients of the `changed` paths of a frame, four numbers each, from their rest ends `axes`.
-    ///
-    /// # Errors
-    /// When they do not fit together.
-    #[wasm_bindgen(js_name = followGradients)]
-    pub fn follow_gradients(
-        &self,
-        changed: &[u32],
-        starts: &[u32],
-        points: &[f64],
-        axes: &[f64],
-    ) -> Result<Vec<f64>, JsError> {
-        let (points, axes) = (from_flat(points), from_flat(axes));
-        let ends: Option<Vec<[Point; 2]>> = changed
-            .iter()
-            .zip(starts.windows(2))
-            .map(|(&path, range)| {
-                let path = path as usize;
-                let warped = points.get(range[0] as usize..range[1] as usize)?;
-                let ends = [*axes.get(2 * path)?, *axes.get(2 * path + 1)?];
-                Some(follow_path(ends, self.rig.paths().rest_path(path), warped))
-            })
-            .collect();
-        ends.map(|ends| to_flat(&ends.concat()))
-            .ok_or_else(|| JsError::new("bad_pose: frame and gradient ends do not fit together"))
     }
 }

@@ -30,7 +30,7 @@ impl Point {
 
     #[must_use]
     pub fn norm(self) -> f64 {
-        self.x.hypot(self.y)
+        self.dot(self).sqrt()
     }
 
     #[must_use]

@@ -44,7 +44,7 @@ test('a frame lists what differs from the frame before', () => {
   const open = rig.vertices({ articulators: { jaw: 1 } }).vertices;
   const opened = rig.frame(open, SOLID);
   expect(opened.changed.length).toBeGreaterThan(0);
-  expect(rig.frame(open, SOLID).changed).toEqual([]);
+  expect(rig.frame(open, SOLID).changed).toHaveLength(0);
   expect(rig.frame(rig.restVertices, SOLID).changed).toEqual(opened.changed);
 });
 

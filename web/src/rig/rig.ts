@@ -1,7 +1,6 @@
 /** The rig in WASM as typed functions: a scene and its rest landmarks in, vertices, changed paths and path data out. */
 import type { Landmarks, LocalPath, Pose, Scene } from '../api/schema';
 import initModule, {
-  type Frame as CoreFrame,
   Rig as CoreRig,
   channelNames,
   fitPins as coreFitPins,
@@ -20,7 +19,7 @@ export type Posed = { readonly vertices: Float64Array; readonly limit: Limit };
 
 /** What a new pose changes; path indices run through back, fore and local in painter's order. */
 export type Frame = {
-  readonly changed: readonly number[];
+  readonly changed: Uint32Array;
   /** SVG path data of any path, changed or not. */
   readonly d: (pathIndex: number) => string;
   /** Where the ends x1, y1, x2, y2 of the gradients of the changed paths go, four numbers each. */
@@ -145,21 +144,23 @@ export class Rig {
 
   /** Paths that differ from the frame before (the first time: from rest), with their path data; `axes` as in `movedPoints`. */
   frame(vertices: Float64Array, axes: Float64Array): Frame {
-    const frame = this.#core.frame(vertices, this.#shown);
-    const changed = [...frame.changed];
-    const moved = this.#core.followGradients(frame.changed, frame.starts, frame.points, axes);
-    this.#keepStrings(frame, changed);
+    const frame = this.#core.frameData(vertices, this.#shown, axes);
+    const { changed, text, ends, axes: moved } = frame;
     frame.free();
+    let start = 0;
+    changed.forEach((path, k) => {
+      this.#data[path] = text.slice(start, ends[k]);
+      start = ends[k];
+    });
     this.#shown = vertices.slice();
     return { changed, d: (path) => this.#pathData(path), axes: moved };
   }
 
   /** All paths that differ from rest; `axes` are the gradient ends of every path at rest, four numbers each. */
   movedPoints(vertices: Float64Array, axes: Float64Array = new Float64Array(4 * this.pathCount)): readonly FramePoints[] {
-    const frame = this.#core.frame(vertices, this.restVertices);
-    const { changed, starts, points } = frame;
+    const frame = this.#core.framePoints(vertices, this.restVertices, axes);
+    const { changed, starts, points, axes: moved } = frame;
     frame.free();
-    const moved = this.#core.followGradients(changed, starts, points, axes);
     return Array.from(changed, (path, k) => ({
       path,
       points: points.subarray(2 * starts[k], 2 * starts[k + 1]),
@@ -205,17 +206,6 @@ export class Rig {
   /** Gives the rig's memory back; the rig must not be used afterwards. */
   dispose(): void {
     this.#core.free();
-  }
-
-  #keepStrings(frame: CoreFrame, changed: readonly number[]): void {
-    const strings = frame.strings;
-    const { text, ends } = strings;
-    strings.free();
-    let start = 0;
-    changed.forEach((path, k) => {
-      this.#data[path] = text.slice(start, ends[k]);
-      start = ends[k];
-    });
   }
 
   #pathData(path: number): string {
