@@ -1,4 +1,4 @@
-"""Portraits: the file as it came, its normalised picture, its description and its faces among the blobs.
+"""Portraits: the file as it came, its description and its faces among the blobs.
 
 An id is 128 random bits: who knows it may see the picture, nobody can guess it, and nothing lists them.
 """
@@ -36,7 +36,6 @@ def add(store: Store, blobs: Blobs, data: bytes, filename: str) -> schema.Portra
     note_use(store, portrait.id)
     blobs.put(_key(portrait.id, "source"), data)
     blobs.put(_key(portrait.id, "digest"), digest(data).encode())
-    blobs.put(_key(portrait.id, "image.png"), _png(decoded))
     blobs.put(_key(portrait.id, "portrait.json"), portrait.model_dump_json().encode())
     return portrait
 
@@ -71,8 +70,7 @@ def picture(blobs: Blobs, portrait_id: str) -> str:
 
 def image(blobs: Blobs, portrait_id: str) -> bytes:
     """The normalised picture as PNG. Raises `not_found`."""
-    describe(blobs, portrait_id)
-    return blobs.get(_key(portrait_id, "image.png"))
+    return _png(load(blobs, portrait_id))
 
 
 def faces(blobs: Blobs, portrait_id: str) -> schema.Faces:

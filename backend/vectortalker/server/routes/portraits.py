@@ -30,10 +30,11 @@ def get_portrait(portrait_id: Id, has: Has) -> schema.Portrait:
 
 
 @router.get("/{portrait_id}/image", response_class=Response, responses={200: {"content": {"image/png": {}}}})
-def get_image(portrait_id: Id, has: Has) -> Response:
+async def get_image(portrait_id: Id, has: Has) -> Response:
     """The normalised picture."""
     headers = {"Cache-Control": "private, max-age=3600"}
-    return Response(portraits.image(has.blobs, portrait_id), media_type="image/png", headers=headers)
+    data = await to_thread.run_sync(portraits.image, has.blobs, portrait_id, limiter=DECODING)
+    return Response(data, media_type="image/png", headers=headers)
 
 
 @router.get("/{portrait_id}/faces")
