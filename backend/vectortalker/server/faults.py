@@ -36,7 +36,10 @@ CODE_OF_FIELD: Mapping[str, ErrorCode] = {
     "options": "bad_option",
 }
 ERROR_RESPONSES: dict[int | str, dict[str, object]] = {
-    "default": {"model": ApiError, "description": "What went wrong, in one sentence"}
+    "default": {
+        "description": "What went wrong, in one sentence",
+        "content": {"application/json": {"schema": {"$ref": "#/components/schemas/ApiError"}}},
+    }
 }
 
 

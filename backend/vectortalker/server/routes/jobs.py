@@ -17,6 +17,8 @@ from vectortalker.server.submit import submit_portrait
 
 router = APIRouter(prefix="/api/jobs", tags=["jobs"])
 
+SEEN = {"description": "The last snapshot was seen: do not come back"}
+
 
 @router.post("", status_code=202)
 def start_job(request: schema.JobRequest, has: Has, client: Client) -> schema.JobState:
@@ -35,7 +37,7 @@ def _first_snapshot(
     return unseen(has.jobs, job_id, last_event_id)
 
 
-@router.get("/{job_id}/events", response_class=EventSourceResponse)
+@router.get("/{job_id}/events", response_class=EventSourceResponse, responses={204: SEEN})
 async def watch_job(
     job_id: Id, has: Has, first: Annotated[schema.JobState | None, Depends(_first_snapshot)]
 ) -> AsyncIterator[ServerSentEvent]:
