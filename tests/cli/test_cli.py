@@ -65,6 +65,14 @@ def test_vectorize_same_seed_gives_the_same_bytes(portrait: Path, tmp_path: Path
     assert first.read_bytes() == second.read_bytes()
 
 
+@pytest.mark.parametrize(("recipe", "gradients"), [("best", True), ("paper", False), ("diffvg", False)])
+def test_vectorize_by_every_recipe(recipe: str, gradients: bool, portrait: Path, tmp_path: Path) -> None:
+    svg, metrics = tmp_path / "out.svg", tmp_path / "out.json"
+    assert main(["vectorize", str(portrait), "-o", str(svg), "--metrics", str(metrics), *TINY, "--recipe", recipe]) == 0
+    assert Metrics.model_validate_json(metrics.read_text()).paths == 16
+    assert ("linearGradient" in svg.read_text()) is gradients
+
+
 def test_vectorize_failure_leaves_nothing_behind(
     portrait: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
