@@ -27,8 +27,17 @@ CHEEKS = ((2, 31), (14, 35), (4, 48), (12, 54), (8, 57), (27, 21), (27, 22))  # 
 MAX_PALETTE = 24
 PALETTE_SHARE = 0.95  # of the pixels, that the palette's colours must make up
 MAX_CAVITY_LIGHTNESS = 0.3
+LEAST_TINT = 0.02  # OKLab chroma below which everything is ink on paper
+LEAST_LIP_HUE = 0.03  # OKLab distance in a, b between lips that are coloured and skin
+LEAST_LIP_CHROMA = 0.04
+REDDER = np.array([0.08, 0.02])  # OKLab a, b
 HUE_WEIGHT, MAX_SNAP = 3.0, 0.3
+MOST_SMILE_GAPE = 0.4  # height over width of the opening; lower teeth and tongue are seen in a wider one
+FLOOR_GAP, FLOOR_REACH = 0.03, 0.3  # of the inner mouth's width: below the lip line, and beyond the corners
 BALL_SCALE = 1.3  # an eyeball's disc against the opening's width
+
+
+Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -67,6 +76,24 @@ def mouth_interior(points: NDArray[np.float64], rgb: NDArray[np.uint8]) -> list[
     return [cavity, *(_band(blob, points, colours[blob.part]) for blob in TEETH_AND_TONGUE)]
 
 
+def smile_floor(points: NDArray[np.float64], rgb: NDArray[np.uint8]) -> list[tuple[Array, Array]]:
+    """A dark floor below what a smile shows, as an outline [n, 2] with its OKLab colour; none for other mouths.
+
+    The teeth of a smile stay with the skull when the jaw drops, and their paths go on below the lip that hid them.
+    """
+    mouth = next(outline for outline in core.opening_outlines(points) if outline[0] == "mouth")
+    width, gape = np.ptp(mouth[1], axis=0)
+    across = points[RIGHT_CORNER] - points[LEFT_CORNER]
+    inside = core.coverage(mouth[1].astype(np.float32), rgb.shape[1], rgb.shape[0]) > 0.5
+    if mouth[2] or gape > MOST_SMILE_GAPE * width or not inside.any():
+        return []
+    down = np.array([-across[1], across[0]])
+    lip = points[[60, 67, 66, 65, 64]] + FLOOR_GAP * down
+    ends = lip[[-1, 0]] + np.array([1, -1])[:, None] * across * FLOOR_REACH
+    corners = np.concatenate([ends[1:], lip, ends[:1], ends[:1] + down, ends[1:] + down])
+    return [(corners, cavity_colour(rgb, inside))]
+
+
 def eyeballs(points: NDArray[np.float64], rgb: NDArray[np.uint8]) -> list[LocalPath]:
     """A disc of the eye's white for each open eye, to put beneath what the picture shows of it."""
     balls = []
@@ -83,14 +110,22 @@ def eyeballs(points: NDArray[np.float64], rgb: NDArray[np.uint8]) -> list[LocalP
     return balls
 
 
-def _mouth_colours(points: NDArray[np.float64], rgb: NDArray[np.uint8]) -> dict[Part, NDArray[np.float64]]:
-    """OKLab: cavity of the lips' hue at L .22, teeth at L .85-.92 tinted by the brightest skin, tongue at L .55."""
+def _mouth_colours(points: Array, rgb: NDArray[np.uint8]) -> dict[Part, Array]:
+    """OKLab: cavity of the lips' hue at L .22, teeth at L .85-.92 tinted by the brightest skin, tongue at L .55.
+
+    Lips that are drawn as a line, or in the skin's colour, have no hue of their own: red is mixed into the skin's.
+    A drawing in ink has no red, and its mouths are black with white teeth.
+    """
     lips = _samples(points, LIP_PAIRS, rgb)
     skin = _samples(points, CHEEKS, rgb)
-    lip, highlight = np.median(lips, axis=0), skin[skin[:, 0].argmax()]
-    cavity = np.array([0.22, *lip[1:] * 0.6])
+    flesh, highlight = np.median(skin, axis=0)[1:], skin[skin[:, 0].argmax()]
+    ink = max(np.linalg.norm(lips[:, 1:], axis=1).max(), np.linalg.norm(skin[:, 1:], axis=1).max()) < LEAST_TINT
+    red = np.zeros(2) if ink else flesh / 2 + REDDER
+    lip = np.median(lips, axis=0)[1:]
+    lip = lip if np.linalg.norm(lip - flesh) > LEAST_LIP_HUE and np.linalg.norm(lip) > LEAST_LIP_CHROMA else red
+    cavity = np.array([0.22, *lip * 0.6])
     teeth = np.array([np.clip(highlight[0] + 0.08, 0.85, 0.92), *highlight[1:] * 0.35])
-    tongue = np.array([0.55, *lip[1:] * 1.2])
+    tongue = cavity if ink else np.array([0.55, *lip * 1.2])
     palette = _palette(rgb)
     if palette is not None:
         cavity, teeth, tongue = (_snapped(lab, palette) for lab in (cavity, teeth, tongue))

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import binary_fill_holes, binary_opening
+from scipy.ndimage import binary_closing, binary_fill_holes, binary_opening
 from skimage import measure
 from skimage.morphology import convex_hull_image, disk
 
@@ -21,16 +21,21 @@ from vectortalker.oklab import to_oklab
 SIDE = 160  # px of the square in which an eye is looked for
 REACH = 0.9  # its side in outer-eye distances
 EYES = (36, 42)  # first landmark of the image-left and image-right eye
+BROWS = (slice(17, 22), slice(22, 27))
+TEMPLES = (slice(0, 3), slice(14, 17))  # of the jaw's contour
+BROW_ROOM, TEMPLE_ROOM = 0.06, 0.1  # outer-eye distances that lids need to close under a brow and beside a temple
 CHEEKS = ((2, 31), (14, 35), (4, 48), (12, 54), (31, 41), (35, 46))  # skin lies between them
 UNLIKE_SKIN = 0.1  # OKLab distance
 FLAT = 0.03  # OKLab distance within which skin is of one colour …
 LEAST_FLAT = 0.6  # … for this share of the cheeks; photographs have .1 to .5
 THIN = (2, 4, 6)  # px: radii of strokes that are cut off, until the eye is free: rims of glasses, strands of hair
+TONE = 2  # px: half the gaps between the dots of a screentone
 LEAST_AREA, MOST_AREA = 0.008, 0.35  # of the square
 LEAST_SOLIDITY = 0.75  # area over that of the convex hull
 FURTHEST = 0.3  # of the square: from its middle, where the eye was detected
 LEAST_END = 0.3  # of the eye's height: what is lower at its ends is lashes
-CORNER_HEIGHT = 0.6  # of the eye's height below its top: where the lids meet in a round eye
+ARCH = 1.125  # weight of the inner points' height, less their corners', in the middle of an opening's outline
+CORNER_HEIGHT = 0.65  # of the eye's height below its top: where the lids meet in a round eye
 EDGE = 2  # px of an outline's blended edge
 LASH_LIGHTNESS = 0.5
 MOST_LASH = 0.2  # of the eye's height
@@ -51,7 +56,7 @@ class DrawnEye:
 
 def drawn_eyes(rgb: NDArray[np.uint8], points: Array) -> tuple[DrawnEye, DrawnEye] | None:
     """Both eyes of a flat drawing with rough landmarks `points` [68, 2]; None if they are no islands in flat skin."""
-    skin = _flat_skin(rgb, points)
+    skin = colour_of_most(cheeks(rgb, points), FLAT, LEAST_FLAT)
     if skin is None:
         return None
     eyes = [_drawn_eye(rgb, points, first, skin) for first in EYES]
@@ -59,19 +64,38 @@ def drawn_eyes(rgb: NDArray[np.uint8], points: Array) -> tuple[DrawnEye, DrawnEy
     return None if left is None or right is None else (left, right)
 
 
-def _flat_skin(rgb: NDArray[np.uint8], points: Array) -> Array | None:
-    """OKLab of the cheeks; None if they are shaded."""
+def with_eyes(points: Array, eyes: tuple[DrawnEye, DrawnEye]) -> Array:
+    """Landmarks [68, 2] with these eyes. Brows and temples that the eyes reach give way to them."""
+    placed = points.copy()
+    placed[36:48] = np.concatenate([eye.contour for eye in eyes])
+    unit = outer_eye_distance(points)
+    right = (points[45] - points[36]) / unit
+    up = np.array([right[1], -right[0]])
+    for eye, brow, temple, outwards in zip(eyes, BROWS, TEMPLES, (-right, right), strict=True):
+        missing = (eye.contour @ up).max() + BROW_ROOM * unit - (placed[brow] @ up).min()
+        placed[brow] += max(0.0, float(missing)) * up
+        missing = (eye.contour @ outwards).max() + TEMPLE_ROOM * unit - placed[temple] @ outwards
+        placed[temple] += missing.clip(min=0)[:, None] * outwards
+    return placed
+
+
+def cheeks(rgb: NDArray[np.uint8], points: Array) -> Array:
+    """OKLab [n, 3] of patches of skin in uint8 [H, W, 3], for landmarks [68, 2]; empty beyond the picture."""
     reach = 0.08 * outer_eye_distance(points)
     patches = []
     for a, b in CHEEKS:
         x, y = (points[a] + points[b]) / 2
         rows, columns = (slice(max(0, round(v - reach)), max(0, round(v + reach)) + 1) for v in (y, x))
         patches.append(rgb[rows, columns].reshape(-1, 3))
-    lab = to_oklab(np.concatenate(patches) / 255)
+    return to_oklab(np.concatenate(patches) / 255)
+
+
+def colour_of_most(lab: Array, within: float, share: float) -> Array | None:
+    """Median of colours [n, 3]; None if less than a `share` of them lies `within` that distance of it."""
     if not len(lab):
         return None
-    skin = np.median(lab, axis=0)
-    return skin if (np.linalg.norm(lab - skin, axis=1) < FLAT).mean() >= LEAST_FLAT else None
+    middle = np.median(lab, axis=0)
+    return middle if (np.linalg.norm(lab - middle, axis=1) < within).mean() >= share else None
 
 
 def _drawn_eye(rgb: NDArray[np.uint8], points: Array, first: int, skin: Array) -> DrawnEye | None:
@@ -80,11 +104,12 @@ def _drawn_eye(rgb: NDArray[np.uint8], points: Array, first: int, skin: Array) -
     middle = points[first : first + 6].mean(axis=0)
     window = Window(float(middle[0]), float(middle[1]), side, side, float(np.arctan2(across[1], across[0])))
     lab = to_oklab(sample(rgb, window, SIDE, extend_border=True)[0] / 255)
-    eye = _island(np.linalg.norm(lab - skin, axis=2) > UNLIKE_SKIN)
+    unlike = np.linalg.norm(lab - skin, axis=2) > UNLIKE_SKIN
+    eye = _island(np.asarray(binary_closing(unlike, disk(TONE)), bool))
     if eye is None:
         return None
-    contour = _contour(eye, lab[..., 0])
-    centre, radius = _iris(eye, lab[..., 0], contour)
+    contour = _contour(eye)
+    centre, radius = _iris(eye, lab[..., 0])
     axes = np.array([[across[0], across[1]], [-across[1], across[0]]]) / np.linalg.norm(across)
     scale = side / SIDE
 
@@ -124,36 +149,46 @@ def _eccentricity(part: Mask) -> float:
     return float(np.hypot(rows.mean() - (SIDE - 1) / 2, columns.mean() - (SIDE - 1) / 2))
 
 
-def _contour(eye: Mask, lightness: Array) -> Array:
-    """Six points [6, 2] round the eye: its ends, and above and below its thirds.
-
-    A dark rim along its top stays outside: it is the lash line, which goes with the lid. So do lashes beside the ends.
-    """
+def _contour(eye: Mask) -> Array:
+    """Six points [6, 2] whose outline holds the eye, its lash line too: its ends, and above and below near them."""
     tops = np.argmax(eye, axis=0)
     bottoms = SIDE - np.argmax(eye[::-1], axis=0)
     heights = np.where(eye.any(axis=0), bottoms - tops, 0)
     columns = np.flatnonzero(heights >= LEAST_END * heights.max())
     left, right = int(columns[0]), int(columns[-1])
     corner = float(tops[columns].min() + CORNER_HEIGHT * heights.max())
-    most = round(MOST_LASH * int(heights.max()))
-    quarter = len(columns) // 4
-    rims = [_rim(lightness[tops[c] : tops[c] + most, c]) for c in columns[quarter : len(columns) - quarter]]
-    rim = float(np.median(rims))
-    thirds = [round(left + (right - left) * share) for share in (0.3, 0.7)]
-    upper = [(c + 0.5, tops[c] + rim) for c in thirds]
-    lower = [(c + 0.5, float(bottoms[c])) for c in thirds]
-    return np.array([(left, corner), *upper, (right + 1, corner), *reversed(lower)], float)
+    thirds = [round(left + (right - left) * share) for share in (0.2, 0.5, 0.8)]
+    upper = _arch(corner, *(float(tops[c]) for c in thirds))
+    lower = _arch(corner, *(float(bottoms[c]) for c in thirds))
+    (x1, _, x2), edge = np.array(thirds) + 0.5, EDGE / 2
+    above = [(x1, upper[0] - edge), (x2, upper[1] - edge)]
+    below = [(x2, lower[1] + edge), (x1, lower[0] + edge)]
+    return np.array([(left - edge, corner), *above, (right + 1 + edge, corner), *below])
 
 
-def _rim(column: Array) -> int:
-    """Pixels from the top of a column down to the first light one below the blended edge."""
-    light = np.flatnonzero(column[EDGE:] > LASH_LIGHTNESS)
-    return EDGE + int(light[0]) if light.size else len(column)
+def _arch(corner: float, first: float, middle: float, last: float) -> tuple[float, float]:
+    """Heights of the two inner points of a contour whose outline passes through `middle`, or beyond it."""
+    reached = ARCH * (first + last) / 2 + (1 - ARCH) * corner
+    away = np.sign(middle - corner)
+    lift = away * max(0.0, away * (middle - reached)) / ARCH
+    return first + lift, last + lift
 
 
-def _iris(eye: Mask, lightness: Array, contour: Array) -> tuple[Array, float]:
+def _lash_height(eye: Mask, lightness: Array) -> int:
+    """Rows of the eye's middle columns that are dark along its top; none in an eye that is dark all over."""
+    rows, columns = np.nonzero(eye)
+    low, high = np.percentile(columns, (30, 70)).astype(int)
+    most = round(MOST_LASH * np.ptp(rows))
+    tops = [int(np.argmax(eye[:, c])) + EDGE for c in range(low, high + 1)]
+    light = [lightness[t : t + most, c] > LASH_LIGHTNESS for c, t in enumerate(tops, low)]
+    found = [int(np.argmax(column)) for column in light if column.any()]
+    return EDGE + round(float(np.median(found))) if len(found) > len(light) / 2 else 0
+
+
+def _iris(eye: Mask, lightness: Array) -> tuple[Array, float]:
     """Centre [2] and radius of what is dark below the lash line: all of a dot eye."""
-    below = eye & (np.arange(SIDE)[:, None] >= contour[1:3, 1].mean())
+    top = int(np.flatnonzero(eye.any(axis=1))[0]) + _lash_height(eye, lightness)
+    below = eye & (np.arange(SIDE)[:, None] >= top)
     dark, light = np.percentile(lightness[below], (5, 95))
     disc = below & (lightness < (dark + light) / 2) if light - dark > LEAST_SCLERA_CONTRAST else below
     numbers = _numbered(disc, OUTLINE)

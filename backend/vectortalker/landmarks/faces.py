@@ -10,7 +10,7 @@ from PIL import Image
 
 from vectortalker.landmarks.detector import find_faces
 from vectortalker.landmarks.doubt import fit_is_doubtful, wobble
-from vectortalker.landmarks.drawn import drawn_eyes
+from vectortalker.landmarks.drawn import drawn_eyes, with_eyes
 from vectortalker.landmarks.ibug import IrisDisc, depth_towards_viewer, ibug_points, iris_discs, outer_eye_distance
 from vectortalker.landmarks.mesh import FaceMesh, fit_mesh, roi_around
 from vectortalker.landmarks.views import View, other_views, plain_view
@@ -131,8 +131,7 @@ def _with_drawn_eyes(face: FaceDetection, rgb: NDArray[np.uint8]) -> FaceDetecti
     drawn = drawn_eyes(rgb, face.points)
     if drawn is None:
         return face
-    points = face.points.copy()
-    points[36:48] = np.concatenate([eye.contour for eye in drawn])
+    points = with_eyes(face.points, drawn)
     off = np.linalg.norm(points - face.points, axis=1)[36:48].mean() / outer_eye_distance(face.points)
     irises = (drawn[0].iris, drawn[1].iris)
     return replace(face, points=points, irises=irises, fit_advised=face.fit_advised or bool(off > MAX_EYE_SURPRISE))

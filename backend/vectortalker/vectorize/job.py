@@ -15,6 +15,7 @@ from vectortalker.scene import LayeredScene, to_wire
 from vectortalker.schema import Landmarks, Metrics, Scene, VectorizeOptions
 from vectortalker.segmenter import Segmenter
 from vectortalker.svg import to_svg
+from vectortalker.vectorize.covers import with_covers
 from vectortalker.vectorize.frame import Frame, fit, layer_to_portrait
 from vectortalker.vectorize.ground import with_ground
 from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, TOP
@@ -56,7 +57,7 @@ def vectorize(
     yield Progress("preparing", 0, settings.levels, 0, 0.0)
     targets = prepare(portrait, landmarks, picture, frame, settings, plans, segmenter)
     if targets.layers is not None:
-        plans = [replace(level_plan, paths=max(1, level_plan.paths - 1)) for level_plan in plans]  # the ground is one
+        plans = [replace(level_plan, paths=max(1, level_plan.paths - _n_given(targets))) for level_plan in plans]
     start = restore(resume, settings) if resume else Start(targets.first_paths, 0, 0)
     run = optimise(targets.level, plans, settings, start, threads, finish_early)
     while True:
@@ -81,11 +82,17 @@ def compose(
     back, fore, local = (layer_to_portrait(layer, frame, level) for layer in layers)
     if targets.layers is not None:
         back = with_ground(back, targets.canvas, portrait.width, portrait.height)
+        fore, local = with_covers(fore, targets.covers.fore), with_covers(local, targets.covers.local)
     return to_wire(LayeredScene(portrait.width, portrait.height, targets.canvas, back, fore, local))
 
 
 def _n_paths(step: Step, targets: Targets) -> int:
-    return len(step.population) + (targets.layers is not None)
+    return len(step.population) + _n_given(targets)
+
+
+def _n_given(targets: Targets) -> int:
+    """Paths that are not optimised: ground and covers."""
+    return 0 if targets.layers is None else 1 + len(targets.covers)
 
 
 def _report(

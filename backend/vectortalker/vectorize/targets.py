@@ -16,6 +16,7 @@ from vectortalker.landmarks.ibug import IrisDisc
 from vectortalker.masks import segment
 from vectortalker.schema import Landmarks
 from vectortalker.segmenter import Segmenter
+from vectortalker.vectorize.covers import Covers, covers, no_covers
 from vectortalker.vectorize.frame import Frame, to_frame
 from vectortalker.vectorize.interior_starts import first_paths
 from vectortalker.vectorize.layering import LayerImages, layer_images, layered_level
@@ -33,7 +34,8 @@ class Targets:
     """`stack`: f32 [h, w, 3], coarse to fine; `canvas` f32 [3]; `openings`: outlines [3S, 2] in portrait px.
 
     `layers` is None where everything belongs to one `group`: without a person, or when the user wants one layer.
-    `first_paths`: what eyes and mouth hide at rest, in the coarsest level's px.
+    `first_paths`: what eyes and mouth hide at rest, in the coarsest level's px. `covers`: what is added
+    after the fit.
     """
 
     stack: tuple[NDArray[np.float32], ...]
@@ -43,6 +45,7 @@ class Targets:
     group: int
     frame: Frame
     first_paths: Population
+    covers: Covers
 
     def level(self, index: int, level_plan: LevelPlan) -> Level:
         """Targets of level `index` at its resolution."""
@@ -75,16 +78,17 @@ def prepare(
     points = None if landmarks is None else np.array(landmarks.points, np.float64)
     placed = None if points is None else to_frame(points, frame)
     masks = segment(picture, placed, _scaled_alpha(portrait, frame), segmenter)
-    nothing = empty_population(settings.segments)
+    nothing, bare = empty_population(settings.segments), no_covers(settings.segments)
     if not settings.layers or not masks.has_person:
-        return Targets(stack, canvas, (), None, FORE if masks.has_person else BACK, frame, nothing)
+        return Targets(stack, canvas, (), None, FORE if masks.has_person else BACK, frame, nothing, bare)
     outlines = () if points is None else tuple(outline for _, outline, _ in core.opening_outlines(points))
     placed_outlines = tuple(to_frame(outline, frame) for outline in outlines)
     layers = layer_images(image, _with_fringe(masks.fore), placed, _iris_discs(landmarks, frame), placed_outlines)
-    if points is None:
-        return Targets(stack, canvas, outlines, layers, FORE, frame, nothing)
+    if points is None or landmarks is None:
+        return Targets(stack, canvas, outlines, layers, FORE, frame, nothing, bare)
     hidden = first_paths(portrait, points, frame, plans[0].frame, settings.paths, settings.segments)
-    return Targets(stack, canvas, outlines, layers, FORE, frame, hidden)
+    tops = covers(landmarks, portrait.rgb, settings.paths, settings.segments)
+    return Targets(stack, canvas, outlines, layers, FORE, frame, hidden, tops)
 
 
 def _scaled_alpha(portrait: Portrait, frame: Frame) -> NDArray[np.uint8] | None:

@@ -8,7 +8,7 @@ use crate::point::Point;
 /// Where the lids of a narrow eye meet: this far from the upper to the lower lid, so the lower one rises by the rest.
 const LID_MEETING: f64 = 0.9;
 /// The same of an eye as high as wide, as in drawings, whose closed line would otherwise hang in a bag.
-const ROUND_LID_MEETING: f64 = 0.7;
+const ROUND_LID_MEETING: f64 = 0.64;
 /// Height over width up to which an eye counts as narrow.
 const NARROW: f64 = 0.5;
 /// Part of the eye's height by which the upper lid follows the gaze down, and up.

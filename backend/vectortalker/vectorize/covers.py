@@ -1,0 +1,72 @@
+"""Covers: paths that poses need and rest hides, so that they are made and not fitted.
+
+Lids lie on top of the fore, under the eyeballs; the floor of a smile on top of the local layer, outside its opening.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vectortalker.interior import smile_floor
+from vectortalker.lids import lids
+from vectortalker.oklab import to_srgb
+from vectortalker.scene import NO_PART, PARTS, Layer, empty_layer
+from vectortalker.schema import Landmarks
+from vectortalker.vectorize.starts import through_samples
+
+MOST_SHARE = 0.05  # of the path budget; a sketch of fewer paths has none to spare for what is hidden
+UPPER_TEETH = PARTS.index("mouth_upper")
+
+Patches = list[tuple[NDArray[np.float64], NDArray[np.float64]]]  # closed outlines [n, 2] in portrait px, OKLab colours
+
+
+@dataclass(frozen=True)
+class Covers:
+    """Opaque paths in portrait px for the top of the fore and of the local layer."""
+
+    fore: Layer
+    local: Layer
+
+    def __len__(self) -> int:
+        return len(self.fore) + len(self.local)
+
+
+def no_covers(segments: int) -> Covers:
+    return Covers(empty_layer(segments), empty_layer(segments))
+
+
+def covers(landmarks: Landmarks, rgb: NDArray[np.uint8], budget: int, segments: int) -> Covers:
+    """What the eyes and the mouth of `rgb` u8 [H, W, 3] need; nothing in a tiny budget."""
+    floor = smile_floor(np.array(landmarks.points, np.float64), rgb)
+    eyes = lids(landmarks, rgb)
+    if len(floor) + len(eyes) > MOST_SHARE * budget:
+        return no_covers(segments)
+    return Covers(_opaque(eyes, NO_PART, segments), _opaque(floor, UPPER_TEETH, segments))
+
+
+def with_covers(layer: Layer, top: Layer) -> Layer:
+    """`top` painted last."""
+    return Layer(
+        np.concatenate([layer.points, top.points]),
+        np.concatenate([layer.stops, top.stops]),
+        np.concatenate([layer.axis, top.axis]),
+        np.concatenate([layer.gradient, top.gradient]),
+        np.concatenate([layer.part, top.part]),
+    )
+
+
+def _opaque(patches: Patches, part: int, segments: int) -> Layer:
+    n = len(patches)
+    if not n:
+        return empty_layer(segments)
+    colours = np.array([np.append(to_srgb(lab), 1) for _, lab in patches], np.float32)
+    return Layer(
+        np.stack([through_samples(np.concatenate([outline, outline[:1]]), segments) for outline, _ in patches]),
+        np.repeat(colours[:, None], 2, axis=1),
+        np.zeros((n, 4), np.float32),
+        np.zeros(n, np.bool_),
+        np.full(n, part),
+    )

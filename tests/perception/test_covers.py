@@ -1,0 +1,83 @@
+"""Lids and the floor of a smile: hidden at rest, in the portrait's colours, and there when the pose needs them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+import vectortalker_core as core
+from vectortalker.decode import Portrait
+from vectortalker.interior import smile_floor
+from vectortalker.landmarks import detect
+from vectortalker.landmarks.wire import to_wire
+from vectortalker.lids import lids
+from vectortalker.oklab import to_srgb
+from vectortalker.rig import build_rig
+from vectortalker.schema import Landmarks, Pose, Scene, ScenePath, SolidFill
+from vectortalker.vectorize.covers import covers
+
+Sample = Callable[[str], Portrait]
+SEGMENTS = 8
+
+
+def face_of(portrait: Portrait) -> Landmarks:
+    return to_wire(detect(portrait.rgb), portrait.width, portrait.height).faces[0].landmarks
+
+
+def coverage(chain: np.ndarray, portrait: Portrait) -> np.ndarray:
+    return core.coverage(np.ascontiguousarray(chain, np.float32), portrait.width, portrait.height)
+
+
+@pytest.mark.parametrize("name", ["eileen.png", "toon-head.png"])
+def test_lids_lie_within_the_eyes_and_stay_when_these_close(sample: Sample, name: str) -> None:
+    portrait = sample(name)
+    face = face_of(portrait)
+    made = covers(face, portrait.rgb, 500, SEGMENTS).fore
+    assert len(made) == 4, "skin and a line for each eye"
+    openings = [coverage(o, portrait) for _, o, _ in core.opening_outlines(np.array(face.points))]
+    fill = SolidFill(colour="#000000")
+    fore = [ScenePath(points=chain.ravel().astype(float).tolist(), fill=fill) for chain in made.points]
+    scene = Scene(width=portrait.width, height=portrait.height, canvas="#ffffff", back=[], fore=fore, local=[])
+    rig = build_rig(scene, face)
+    shut = rig.vertices(Pose(articulators={"blink_left": 1, "blink_right": 1}))
+    assert shut.scale == 1
+    assert rig.moved_points(shut.vertices) == {}
+    for eye, opening in enumerate(openings[:2]):
+        skin = coverage(made.points[2 * eye], portrait)
+        assert (opening[skin > 0] == 1).mean() > 0.97, "what is seen at rest is the eyeball"
+        assert skin.sum() > 0.75 * opening.sum(), "what is seen when shut is the lid"
+
+
+def test_lids_have_the_skins_and_the_lines_colours(sample: Sample) -> None:
+    portrait = sample("eileen.png")
+    (_, skin), (_, line), *_ = lids(face_of(portrait), portrait.rgb)
+    assert np.abs(to_srgb(skin) - np.array([252, 238, 224]) / 255).max() < 0.05
+    assert to_srgb(line).max() < 0.3
+
+
+@pytest.mark.parametrize("name", ["astronaut.jpg", "mona-lisa.jpg"])
+def test_shaded_skin_closes_by_itself(sample: Sample, name: str) -> None:
+    portrait = sample(name)
+    assert lids(face_of(portrait), portrait.rgb) == []
+
+
+def test_floor_lies_below_what_a_smile_shows(sample: Sample) -> None:
+    portrait = sample("astronaut.jpg")
+    points = np.array(face_of(portrait).points)
+    ((_, lab),) = smile_floor(points, portrait.rgb)
+    assert lab[0] < 0.31
+    (floor,) = covers(face_of(portrait), portrait.rgb, 500, SEGMENTS).local.points
+    _, mouth, _ = core.opening_outlines(points)[2]
+    seen = coverage(floor, portrait) * coverage(mouth, portrait)
+    assert seen.sum() < 0.01 * coverage(mouth, portrait).sum()
+
+
+def test_closed_mouth_has_no_floor(sample: Sample) -> None:
+    portrait = sample("mona-lisa.jpg")
+    assert smile_floor(np.array(face_of(portrait).points), portrait.rgb) == []
+
+
+def test_sketch_of_few_paths_spares_none_for_covers(sample: Sample) -> None:
+    portrait = sample("eileen.png")
+    assert len(covers(face_of(portrait), portrait.rgb, 40, SEGMENTS)) == 0
