@@ -37,7 +37,7 @@ async function pictureShot(page, path) {
     }, visibility);
   const display = (value) =>
     page.evaluate((next) => {
-      document.querySelector('#back').ownerSVGElement.style.display = next;
+      for (const picture of document.querySelectorAll('.picture')) picture.style.display = next;
     }, value);
   await show('hidden');
   await display('none');

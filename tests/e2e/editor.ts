@@ -78,8 +78,7 @@ function showAbovePicture(page: Page, visibility: 'hidden' | ''): Promise<void> 
 
 function displayPicture(page: Page, display: 'none' | ''): Promise<void> {
   return page.evaluate((value) => {
-    const picture = document.querySelector<SVGGElement>('#back')?.ownerSVGElement;
-    if (picture) picture.style.display = value;
+    for (const picture of document.querySelectorAll<SVGSVGElement>('.picture')) picture.style.display = value;
   }, display);
 }
 

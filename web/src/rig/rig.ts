@@ -1,11 +1,6 @@
 /** The rig in WASM as typed functions: a scene and its rest landmarks in, vertices, changed paths and path data out. */
 import type { Landmarks, LocalPath, Pose, Scene } from '../api/schema';
-import initModule, {
-  Rig as CoreRig,
-  channelNames,
-  fitPins as coreFitPins,
-  pathData as corePathData,
-} from './wasm/vectortalker_browser.js';
+import initModule, { Rig as CoreRig, channelNames, fitPins as coreFitPins, pathData as corePathData } from './wasm/vectortalker_browser.js';
 
 type Xy = readonly [number, number];
 

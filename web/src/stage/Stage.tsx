@@ -18,14 +18,15 @@ import { hoveredTarget, stageSize } from './viewState';
 
 export function Stage(): JSX.Element {
   const stage = useRef<HTMLElement>(null);
+  const scenery = useRef<SVGSVGElement>(null);
   const picture = useRef<SVGSVGElement>(null);
   const slot = useRef<SVGGElement>(null);
   const overlay = useRef<SVGSVGElement>(null);
   useEffect(() => {
-    if (!stage.current || !picture.current || !slot.current || !overlay.current) return;
+    if (!stage.current || !scenery.current || !picture.current || !slot.current || !overlay.current) return;
     const stops = [
       followSize(stage.current),
-      startRendering({ picture: picture.current, slot: slot.current, overlay: overlay.current }),
+      startRendering({ scenery: scenery.current, picture: picture.current, slot: slot.current, overlay: overlay.current }),
       listenToPointers(stage.current, { tool: toolInHand, panning: () => panning.value, panTool: toolNamed('pan') }),
       listenToHandleKeys(overlay.current),
     ];
@@ -42,6 +43,7 @@ export function Stage(): JSX.Element {
       ref={stage}
       aria-label="Stage"
     >
+      <svg class="picture" ref={scenery} aria-hidden="true" />
       <svg class="picture" ref={picture} role="img" aria-label={portrait.value ? `Portrait ${portrait.value.name}` : 'Empty stage'}>
         <g ref={slot} />
         <SourcePicture />

@@ -20,6 +20,7 @@ const OPENING_OF_PART: Readonly<Record<LocalPath['part'], OpeningName>> = {
 /** A scene as DOM. `paths` are in painter's order: back, fore, local. */
 export type Picture = {
   readonly root: SVGSVGElement;
+  readonly canvas: SVGRectElement;
   readonly layers: Readonly<Record<LayerName, SVGGElement>>;
   readonly paths: readonly SVGPathElement[];
   readonly openings: Readonly<Record<OpeningName, SVGPathElement>>;
@@ -50,7 +51,14 @@ export function pictureOf(scene: Scene): Picture {
   const root = svgElement('svg', { width: `${scene.width}`, height: `${scene.height}`, viewBox: `0 0 ${scene.width} ${scene.height}` });
   definitions.append(...gradients.values());
   root.append(definitions, canvas, ...LAYER_NAMES.map((name) => layers[name]));
-  return { root, layers, paths: [...plain, ...local], openings, gradients, axes: axesOf(scene) };
+  return { root, canvas, layers, paths: [...plain, ...local], openings, gradients, axes: axesOf(scene) };
+}
+
+/** Takes canvas and scenery, which no pose moves, out of a picture, into a root of their own to stand behind it. */
+export function takeScenery({ root, canvas, layers }: Picture): SVGSVGElement {
+  const scenery = root.cloneNode(false) as SVGSVGElement; // a clone is of its original's kind
+  scenery.append(canvas, layers.back);
+  return scenery;
 }
 
 export function showLayers(picture: Picture, looks: Readonly<Record<LayerName, LayerLook>>): void {

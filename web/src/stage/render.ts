@@ -6,14 +6,17 @@ import { draft, edit, ghostShown, landmarksShown, meshShown, playing, scene, ses
 import { beforePaint } from '../timeline/frame';
 import { type FrameWriter, frameWriter } from './frameWriter';
 import { createOverlay, type Overlay } from './overlay';
-import { OPENING_NAMES, type Picture, pictureOf, showLayers } from './picture';
+import { OPENING_NAMES, type Picture, pictureOf, showLayers, takeScenery } from './picture';
 import { rig, standing, standingPoints, tendRigs } from './posing';
 import { writeAttribute } from './svg';
 import { viewBoxOf } from './view';
 import { hoveredTarget, stageSize, view } from './viewState';
 
+/** The `viewBox` of scenery and picture is the view. The browser keeps what it painted of the scenery as long as nothing in it changes. */
 export type StageElements = {
-  /** Holds the picture; its `viewBox` is the view. */
+  /** Holds what no pose moves, behind the picture. */
+  readonly scenery: SVGSVGElement;
+  /** Holds the picture. */
   readonly picture: SVGSVGElement;
   /** Empty group of `picture` that the scene is put into. */
   readonly slot: SVGGElement;
@@ -22,29 +25,32 @@ export type StageElements = {
 };
 
 /** Renders until the returned function is called. */
-export function startRendering({ picture: host, slot, overlay: overlayHost }: StageElements): () => void {
+export function startRendering({ scenery, picture, slot, overlay: overlayHost }: StageElements): () => void {
   const overlay = createOverlay();
   overlayHost.replaceChildren(overlay.root);
   const disposals = [
-    effect(() => host.setAttribute('viewBox', viewBoxOf(view.value, stageSize.value))),
-    renderPicture(slot),
+    effect(() => {
+      for (const host of [scenery, picture]) host.setAttribute('viewBox', viewBoxOf(view.value, stageSize.value));
+    }),
+    renderPicture(scenery, slot),
     tendRigs(),
     eachFrame(() => drawOverlay(overlay)),
     effect(() => overlay.highlight(hoveredTarget.value?.kind === 'landmark' ? hoveredTarget.value.index : null)),
   ];
   return () => {
     for (const dispose of disposals) dispose();
-    slot.replaceChildren();
+    for (const holder of [scenery, slot]) holder.replaceChildren();
   };
 }
 
 /** A new scene or rig replaces the picture; a new pose changes the paths it moves. */
-function renderPicture(slot: SVGGElement): () => void {
+function renderPicture(scenery: SVGSVGElement, slot: SVGGElement): () => void {
   let shown: Shown | null = null;
   let posed: Rig | null = null;
   const disposePicture = effect(() => {
     shown = scene.value ? shownOf(scene.value) : null;
     posed = null;
+    scenery.replaceChildren(...(shown ? [takeScenery(shown.picture)] : []));
     slot.replaceChildren(...(shown ? [shown.picture.root] : []));
     const { layers } = untracked(() => edit.value);
     if (shown) showLayers(shown.picture, layers);
