@@ -2,7 +2,7 @@
 import { effect } from '@preact/signals';
 import type { JobState, Landmarks } from '../api/schema';
 import { tell } from '../store/notices';
-import { startPinning } from '../store/opening';
+import { resumeOpening } from '../store/opening';
 import { clips, draft, history, job, portrait, scene, session, tracedLandmarks } from '../store/state';
 import { resumeTracing } from '../store/tracing';
 import { type Work, WorkStore } from './workStore';
@@ -71,6 +71,6 @@ function show(work: Work): void {
   draft.value = null;
   session.value = { kind: 'editing' };
   if (work.job.state) resumeTracing(work.job.state, work.job.landmarks);
-  else if (!work.scene) startPinning(true);
+  else if (!work.scene) void resumeOpening();
   else tracedLandmarks.value = work.job.landmarks;
 }

@@ -19,12 +19,28 @@ export async function openPicture(picture: Blob, name: string): Promise<void> {
     const posted = await postPortrait(picture, name, signal);
     show(posted, picture);
     replaceByNormalised(posted, signal).catch(report);
-    const { faces } = await getFaces(posted.id, signal);
-    await takeFaces(faces, posted);
+    await findFaces(posted, signal);
   } catch (error) {
     if (signal.aborted) return;
     session.value = portrait.value ? { kind: 'editing' } : { kind: 'welcome' };
     report(error);
+  }
+}
+
+/** Goes on where a reload came before the tracing: with the landmarks that were chosen, else from the search for a face. */
+export async function resumeOpening(): Promise<void> {
+  const open = portrait.value;
+  if (!open) return;
+  if (edit.value.landmarks) return startTracing();
+  if (open.id === null) return startPinning(true);
+  session.value = { kind: 'finding' };
+  const { signal } = opening;
+  try {
+    await findFaces({ ...open, id: open.id }, signal);
+  } catch (error) {
+    if (signal.aborted) return;
+    session.value = { kind: 'editing' };
+    report(error, { label: 'Try again', run: () => void resumeOpening() });
   }
 }
 
@@ -102,7 +118,14 @@ async function replaceByNormalised(posted: Portrait, signal: AbortSignal): Promi
   if (portrait.value?.id === posted.id) portrait.value = { ...portrait.value, picture };
 }
 
-async function takeFaces(faces: readonly Face[], posted: Portrait): Promise<void> {
+type SentPortrait = Pick<Portrait, 'id' | 'width' | 'height'>;
+
+async function findFaces(sent: SentPortrait, signal: AbortSignal): Promise<void> {
+  const { faces } = await getFaces(sent.id, signal);
+  await takeFaces(faces, sent);
+}
+
+async function takeFaces(faces: readonly Face[], posted: SentPortrait): Promise<void> {
   if (faces.length === 0) {
     announce('No face found. Put the five pins on the eyes, the tip of the nose and the mouth corners.');
     startPinning(true);
