@@ -30,6 +30,7 @@ TABLES: dict[str, tuple[str, dict[str, VectorizeOptions]]] = {
         "Recipes at 125 paths × 8 cubics, 256 px: as many pixels a path, a fifth of the time",
         {
             "best": VectorizeOptions(paths=125, working_size=256),
+            "best, 88 paths": VectorizeOptions(paths=88, working_size=256),
             "best, no layers": VectorizeOptions(paths=125, working_size=256, layers=False),
             "paper": VectorizeOptions(recipe="paper", paths=125, working_size=256, layers=False),
             "diffvg": VectorizeOptions(recipe="diffvg", paths=125, working_size=256, layers=False),
