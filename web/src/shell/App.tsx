@@ -4,6 +4,7 @@ import type { JSX } from 'preact';
 import { useEffect } from 'preact/hooks';
 import { SidePanel } from '../panels/SidePanel';
 import { Stage } from '../stage/Stage';
+import { endedUnseen, watchEnd } from '../store/absence';
 import { announcement, job, session, theme } from '../store/state';
 import { Timeline } from '../timeline/Timeline';
 import { listenToDrops } from '../welcome/incoming';
@@ -17,6 +18,7 @@ import { TopBar } from './TopBar';
 export function App(): JSX.Element {
   useEffect(listenToShortcuts, []);
   useEffect(listenToDrops, []);
+  useEffect(watchEnd, []);
   useSignalEffect(() => {
     document.documentElement.dataset.theme = theme.value;
   });
@@ -57,6 +59,7 @@ function Workbench(): JSX.Element {
 }
 
 function titleOf(): string {
+  if (endedUnseen.value) return `${endedUnseen.value} · VectorTalker`;
   const running = job.value?.phase === 'running' ? `${Math.round(job.value.progress * 100)} % · ` : '';
   return `${running}VectorTalker`;
 }
