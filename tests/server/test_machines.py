@@ -12,11 +12,11 @@ from vectortalker.cli import main
 from vectortalker.server.redis_store import RedisStore
 
 from .conftest import COMMAND, START_SECONDS, free_port, wait_until
-from .pictures import picture
+from .pictures import figure
 from .redis_server import MISSING, REASON, RedisServer
 
-OPTIONS = ["--paths", "24", "--levels", "2", "--iterations", "12", "--final-iterations", "12", "--working-size", "96"]
-N_PICTURES = 6
+OPTIONS = ["--paths", "24", "--levels", "2", "--iterations", "24", "--final-iterations", "24", "--working-size", "96"]
+N_PICTURES = 4
 
 pytestmark = pytest.mark.skipif(MISSING, reason=REASON)
 
@@ -55,7 +55,7 @@ def own_redis(tmp_path: Path) -> Iterator[RedisServer]:
 def write_pictures(folder: Path) -> Path:
     folder.mkdir()
     for i in range(N_PICTURES):
-        (folder / f"{i}.png").write_bytes(picture(64 + i, 80))
+        (folder / f"{i}.png").write_bytes(figure(64 + i, 80))
     (folder / "text.png").write_text("no picture")
     return folder
 

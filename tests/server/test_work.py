@@ -15,7 +15,7 @@ from vectortalker.server.events import event_id
 from vectortalker.server.record import ENDED
 
 from .conftest import Serving, wait_until
-from .pictures import face_points, picture
+from .pictures import face_points, figure
 
 TINY = {"paths": 32, "levels": 2, "iterations": 4, "final_iterations": 4, "working_size": 128}
 ENDLESS = {"paths": 64, "levels": 2, "iterations": 5000, "final_iterations": 20000, "working_size": 128}
@@ -23,7 +23,7 @@ LONG_LAST_LEVEL = {**TINY, "levels": 3, "final_iterations": 20000}
 
 
 def start(serving: Serving, options: dict[str, int]) -> str:
-    portrait = serving.client.post("/api/portraits", files={"file": ("waves.png", picture())}).json()
+    portrait = serving.client.post("/api/portraits", files={"file": ("figure.png", figure(96, 128))}).json()
     job = serving.client.post("/api/jobs", json={"portrait_id": portrait["id"], "options": options})
     assert job.status_code == 202, job.text
     return job.json()["id"]
