@@ -3,6 +3,7 @@
 import io
 
 import numpy as np
+import pytest
 import resvg_py
 import vectortalker_core as core
 from PIL import Image
@@ -33,11 +34,16 @@ def svg_of(scene: Scene) -> str:
     return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {SIZE} {SIZE}">{"".join(parts)}</svg>'
 
 
+def painted_by_resvg(scene: Scene) -> np.ndarray:
+    """Picture [H, W, 3] in [0, 255]."""
+    png = resvg_py.svg_to_bytes(svg_string=svg_of(scene), width=SIZE, height=SIZE)
+    return np.asarray(Image.open(io.BytesIO(bytes(png))).convert("RGB"), float)
+
+
 def test_same_colours_away_from_edges() -> None:
     scene = blobs(0, 12, SIZE, SIZE, (15, 50))
-    png = resvg_py.svg_to_bytes(svg_string=svg_of(scene), width=SIZE, height=SIZE)
-    theirs = np.asarray(Image.open(io.BytesIO(bytes(png))).convert("RGB"), float)
-    ours = 255 * paint(scene, SIZE, SIZE, subrows=4, quantise=True)
+    theirs = painted_by_resvg(scene)
+    ours = np.rint(255 * paint(scene, SIZE, SIZE, subrows=4, quantise=True))
     inside = np.ones((SIZE, SIZE), bool)
     for ring in scene.points:
         partial = (cover := core.coverage(ring, SIZE, SIZE)) * (1 - cover) > 0
@@ -45,3 +51,13 @@ def test_same_colours_away_from_edges() -> None:
     assert inside.mean() > 0.5
     assert abs(ours - theirs)[inside].max() <= 2
     assert abs(ours - theirs).mean() < 1  # edges too: resvg samples coverage 4×4
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_preview_rounds_and_samples_as_resvg_does(seed: int) -> None:
+    scene = blobs(seed, 12, SIZE, SIZE, (15, 50))
+    theirs = painted_by_resvg(scene)
+    preview = 255 * core.preview(**scene.arguments(), width=SIZE, height=SIZE)
+    exact = 255 * paint(scene, SIZE, SIZE, subrows=4)
+    assert abs((preview - theirs).mean()) < 0.1  # the exact picture is half a level to a whole one darker
+    assert np.sqrt(((preview - theirs) ** 2).mean()) < 0.5 * np.sqrt(((exact - theirs) ** 2).mean())

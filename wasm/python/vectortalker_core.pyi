@@ -119,6 +119,23 @@ def rasterize(
     `threads` 0: all cores. Raises ValueError naming value and limit.
     """
 
+def preview(
+    points: Floats,
+    stops: Floats,
+    axis: Floats,
+    gradient: Flags,
+    clip: NDArray[np.int32],
+    clips: Floats,
+    canvas: Floats,
+    width: int,
+    height: int,
+    threads: int = 0,
+) -> Floats:
+    """Picture [H, W, 3] as resvg paints it: edges sampled on a grid of quarter pixels, every blend rounded as it rounds.
+
+    The same arguments as `rasterize`; values are multiples of 1/255. Raises ValueError naming value and limit.
+    """
+
 def loss_and_gradients(
     points: Floats,
     stops: Floats,

@@ -11,6 +11,7 @@ use raster::{Checkpoint, Extras, Frame, Gradients, Objective, Paths, Target};
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<PyTarget>()?;
     module.add_function(wrap_pyfunction!(rasterize, module)?)?;
+    module.add_function(wrap_pyfunction!(preview, module)?)?;
     module.add_function(wrap_pyfunction!(loss_and_gradients, module)?)?;
     module.add_function(wrap_pyfunction!(gradients, module)?)?;
     module.add_function(wrap_pyfunction!(coverage, module)?)?;
@@ -42,6 +43,31 @@ fn rasterize<'py>(
         Scene { points, stops, axis, gradient, clip, clips, canvas, width, height, subrows, flatness, quantise };
     let (paths, frame) = (scene.paths()?, scene.frame()?);
     let image = py.detach(|| raster::rasterize(&paths, &frame, threads)).map_err(refused)?;
+    array(py, image, [height, width, 3])
+}
+
+/// Paint paths over a canvas as resvg does, sampled edges and 8-bit blends included: f32 `[H, W, 3]`.
+#[pyfunction]
+#[pyo3(signature = (points, stops, axis, gradient, clip, clips, canvas, width, height, threads=0))]
+#[allow(clippy::too_many_arguments)] // one flat array each: the border's rule
+fn preview<'py>(
+    py: Python<'py>,
+    points: PyReadonlyArray3<'py, f32>,
+    stops: PyReadonlyArray3<'py, f32>,
+    axis: PyReadonlyArray2<'py, f32>,
+    gradient: Flags<'py>,
+    clip: PyReadonlyArray1<'py, i32>,
+    clips: PyReadonlyArray3<'py, f32>,
+    canvas: PyReadonlyArray1<'py, f32>,
+    width: usize,
+    height: usize,
+    threads: usize,
+) -> PyResult<Bound<'py, PyArray3<f32>>> {
+    let (gradient, subrows, flatness, quantise) = (gradient.values(), 4, raster::FLATNESS, true);
+    let scene =
+        Scene { points, stops, axis, gradient, clip, clips, canvas, width, height, subrows, flatness, quantise };
+    let (paths, frame) = (scene.paths()?, scene.frame()?);
+    let image = py.detach(|| raster::preview(&paths, &frame, threads)).map_err(refused)?;
     array(py, image, [height, width, 3])
 }
 

@@ -1,6 +1,6 @@
 //! Forward and backward pass over one band of rows, while it is in cache.
 
-use crate::blend::{self, blend_edges, blend_flat, quantise};
+use crate::blend::{self, Rounding, blend_edges, blend_flat, quantise};
 use crate::cover::{Call, Cover, Span, Tile};
 use crate::fill::{Fill, FillGradient};
 use crate::gradient::add_tile;
@@ -102,6 +102,11 @@ impl<const S: usize> Band<S> {
     fn blend_tile(&mut self, call: &Call<'_>, i: usize) {
         let tile = self.cover.tiles[i].clone();
         let (fill, top) = (&tile.fill(call.paths), self.cover.window.top);
+        let rounding = match (call.frame.quantise, &fill.axis) {
+            (false, _) => Rounding::None,
+            (true, None) => Rounding::Solid,
+            (true, Some(_)) => Rounding::Gradient,
+        };
         let mut running = [ZERO; S];
         for index in tile.spans.clone() {
             let Span { edges, flat, cells, storage } = self.cover.spans[index].clone();
@@ -109,16 +114,13 @@ impl<const S: usize> Band<S> {
             let winding = &mut self.cover.winding[cells][..edges.len()];
             let (below, rest) = self.below[storage..].split_at_mut(edges.len());
             let canvas = blend::Canvas { picture: &mut self.picture[edges.clone()], below };
-            with_shade!((fill, top, &edges), shade => blend_edges(shade, &mut running, winding, mask, canvas));
+            with_shade!((fill, top, &edges), shade => blend_edges(shade, &mut running, winding, mask, canvas, rounding));
             let covered = coverage(&running);
             if covered == ZERO {
                 self.cover.spans[index].flat.end = flat.start;
             } else if !flat.is_empty() {
                 let canvas = blend::Canvas { picture: &mut self.picture[flat.clone()], below: rest };
-                with_shade!((fill, top, &flat), shade => blend_flat(shade, covered, canvas));
-            }
-            if call.frame.quantise {
-                quantise(&mut self.picture[edges.start..self.cover.spans[index].flat.end]);
+                with_shade!((fill, top, &flat), shade => blend_flat(shade, covered, canvas, rounding));
             }
         }
     }

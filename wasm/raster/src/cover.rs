@@ -7,6 +7,7 @@ use crate::flatten::Chords;
 use crate::lane::{Lane, ZERO, refill};
 use crate::line::Window;
 use crate::marks::Marks;
+use crate::sample::sample;
 use crate::scene::{Frame, Paths};
 use crate::transpose;
 use crate::walk::{integrate, walk};
@@ -19,6 +20,8 @@ pub struct Call<'a> {
     pub frame: &'a Frame<'a>,
     pub chords: &'a Chords,
     pub bins: &'a Bins,
+    /// Chords are sampled on a grid instead of integrated.
+    pub sampled: bool,
 }
 
 /// Columns whose windings are stored, followed by columns that repeat the last of them.
@@ -126,7 +129,8 @@ impl<const S: usize> Cover<S> {
         self.winding.resize(self.spans.last().map_or(first_cell, |span| span.cells.end), [ZERO; S]);
         for piece in &mut self.pieces[first_piece..] {
             piece.cell = self.cells[piece.first as usize];
-            walk(piece, &mut self.winding[piece.cell as usize..]);
+            let cells = &mut self.winding[piece.cell as usize..];
+            if call.sampled { sample(piece, cells) } else { walk(piece, cells) }
         }
         let mask = mask.map(|mask| self.read_mask(call, mask, self.spans[first_span].edges.clone()));
         let (spans, pieces) = (first_span..self.spans.len(), first_piece..self.pieces.len());

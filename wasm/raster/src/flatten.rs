@@ -46,7 +46,7 @@ pub fn flatten(paths: &Paths<'_>, flatness: f32) -> Chords {
 }
 
 /// Control points of segment `j` of a ring: `3j, 3j+1, 3j+2, (3j+3) mod 3S`.
-fn cubic(ring: &[f32], j: usize) -> [[f32; 2]; 4] {
+pub fn cubic(ring: &[f32], j: usize) -> [[f32; 2]; 4] {
     std::array::from_fn(|k| {
         let i = (6 * j + 2 * k) % ring.len();
         [ring[i], ring[i + 1]]

@@ -13,12 +13,14 @@ mod blend;
 mod clip;
 mod cover;
 mod error;
+mod facets;
 mod fill;
 mod flatten;
 mod gradient;
 mod lane;
 mod line;
 mod marks;
+mod sample;
 mod saturate;
 mod scene;
 mod seam;
@@ -67,13 +69,26 @@ pub fn rasterize(paths: &Paths<'_>, frame: &Frame<'_>, threads: usize) -> Result
     frame.check()?;
     paths.check(frame)?;
     let chords = flatten::flatten(paths, frame.flatness);
-    let call = Call { paths, frame, chords: &chords, bins: &bins::Bins::new(&chords, frame.height) };
+    let call = Call { paths, frame, chords: &chords, bins: &bins::Bins::new(&chords, frame.height), sampled: false };
     frame.check_clips()?;
     Ok(match frame.subrows {
         1 => rasterize_bands::<1>(&call, threads),
         2 => rasterize_bands::<2>(&call, threads),
         _ => rasterize_bands::<4>(&call, threads),
     })
+}
+
+/// Paints the paths as resvg does, `[height, width, 3]`: outlines sampled four by four times a pixel, blends rounded to 8 bits.
+///
+/// The frame's sub-rows, flatness and rounding are resvg's own whatever it says.
+pub fn preview(paths: &Paths<'_>, frame: &Frame<'_>, threads: usize) -> Result<Vec<f32>, Error> {
+    frame.check()?;
+    paths.check(frame)?;
+    frame.check_clips()?;
+    let chords = facets::facets(paths);
+    let frame = Frame { subrows: 4, quantise: true, ..*frame };
+    let bins = bins::Bins::new(&chords, frame.height);
+    Ok(rasterize_bands::<4>(&Call { paths, frame: &frame, chords: &chords, bins: &bins, sampled: true }, threads))
 }
 
 fn rasterize_bands<const S: usize>(call: &Call<'_>, threads: usize) -> Vec<f32> {
@@ -95,7 +110,7 @@ pub fn differentiate(
     paths.check(frame)?;
     objective.check(paths.len(), frame)?;
     let chords = flatten::flatten(paths, frame.flatness);
-    let call = Call { paths, frame, chords: &chords, bins: &bins::Bins::new(&chords, frame.height) };
+    let call = Call { paths, frame, chords: &chords, bins: &bins::Bins::new(&chords, frame.height), sampled: false };
     let found = match frame.subrows {
         1 => differentiate_bands::<1>(&call, objective, extras, threads),
         2 => differentiate_bands::<2>(&call, objective, extras, threads),
@@ -145,7 +160,7 @@ pub fn overlaps(paths: &Paths<'_>, frame: &Frame<'_>, threads: usize) -> Result<
     frame.check()?;
     paths.check(frame)?;
     let chords = flatten::flatten(paths, frame.flatness);
-    let call = Call { paths, frame, chords: &chords, bins: &bins::Bins::new(&chords, frame.height) };
+    let call = Call { paths, frame, chords: &chords, bins: &bins::Bins::new(&chords, frame.height), sampled: false };
     let bands = 0..frame.height.div_ceil(ROWS);
     let parts = threads::map_ordered(threads, bands, |band: &mut Band<4>, i| band.overlaps(&call, i * ROWS));
     let mut whole = vec![Overlap::default(); paths.len()];

@@ -83,6 +83,8 @@ proptest! {
         prop_assert!(found.losses.iter().chain(&found.importance).all(|v| v.is_finite()));
         prop_assert!([&found.points, &found.stops, &found.axis].into_iter().flatten().all(|v| v.is_finite()));
         prop_assert!(found.image.iter().all(|v| (-1e-5..1.0 + 1e-5).contains(v)));
+        let seen = preview(&solid.paths(), &frame, 1).unwrap();
+        prop_assert!(seen.iter().all(|v| (-1e-5..1.0 + 1e-5).contains(v)));
     }
 
     #[test]
@@ -90,6 +92,7 @@ proptest! {
         let solid = Solid::new(points.clone(), segments.max(1));
         let paths = Paths { segments, ..solid.paths() };
         let _ = rasterize(&paths, &frame(9, 5, 1), 1);
+        let _ = preview(&paths, &frame(9, 5, 1), 1);
     }
 
     #[test]
@@ -104,6 +107,28 @@ proptest! {
 fn rows_below_the_frame_are_not_seen() {
     // 20 rows: the second band is a quarter full; a square from row 10 to row 90 covers 10·8 pixels of the frame.
     assert!((area(&[[2.0, 10.0], [10.0, 10.0], [10.0, 90.0], [2.0, 90.0]], 12, 20) - 80.0).abs() < 1e-4);
+}
+
+#[test]
+fn preview_rounds_a_side_to_quarters_of_a_pixel_and_ends_to_sub_rows() {
+    // From x = 2.3 (9.2 → 9 quarters: three of pixel 2) and y = 1.4 (from sub-row 6 on, whose centre is at 1.625: two of row 1).
+    let solid = Solid::new(polygon(&[[2.3, 1.4], [6.0, 1.4], [6.0, 5.0], [2.3, 5.0]]), 4);
+    let image = preview(&solid.paths(), &frame(8, 8, 1), 1).unwrap();
+    let ink = |row: usize, column: usize| 1.0 - image[3 * (8 * row + column)];
+    assert_eq!([ink(2, 1), ink(2, 3), ink(5, 3)], [0.0, 1.0, 0.0]);
+    assert!((ink(2, 2) - 0.75).abs() < 0.01, "{}", ink(2, 2));
+    assert!((ink(1, 3) - 0.5).abs() < 0.01, "{}", ink(1, 3));
+}
+
+#[test]
+fn preview_of_a_translucent_blend_is_rounded_up() {
+    let mut solid = Solid::new(polygon(&[[-9.0, -9.0], [99.0, -9.0], [99.0, 99.0], [-9.0, 99.0]]), 4);
+    for stop in solid.stops.chunks_exact_mut(4) {
+        stop[3] = 0.5;
+    }
+    let image = preview(&solid.paths(), &frame(8, 8, 1), 1).unwrap();
+    // Opacity 128: nothing of black, and (255·(255 − 128) + 255) / 256 = 127.5 of white, cut to 127.
+    assert!(image.iter().all(|v| (v * 255.0 - 127.0).abs() < 1e-3), "{}", image[0] * 255.0);
 }
 
 #[test]
