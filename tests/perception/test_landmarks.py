@@ -122,3 +122,9 @@ def test_landmarks_agree_with_annotations(shared_data: Path) -> None:
         got = detect(decode(file.read_bytes(), file.name).rgb)[0].points
         error = np.linalg.norm(got - want, axis=1).mean() / outer_eye_distance(want)
         assert error < limit, (stem, error)
+
+
+def test_fits_beyond_five_per_cent_are_doubted(shared_data: Path) -> None:
+    for stem, doubted in (("painting-vangogh-felt-hat", True), ("sketch-marker-boy", True), ("cartoon-roy", False)):
+        (file,) = (shared_data / "portraits").glob(f"{stem}.*")
+        assert detect(decode(file.read_bytes(), file.name).rgb)[0].fit_advised == doubted, stem

@@ -105,7 +105,7 @@ def _best_score(found: list[_Found]) -> float:
 
 def _detection(found: _Found, picture: NDArray[np.uint8], ratio: NDArray[np.float64]) -> FaceDetection:
     """Scales a face of the small picture to portrait pixels. The models' sample i is the pixel centred at i + .5."""
-    mesh, mesh_wobble = _steadiest_fit(found, picture)
+    mesh, image = _steadiest_fit(found, picture)
     points = ibug_points(mesh.points)
 
     def to_portrait(xy: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -122,7 +122,7 @@ def _detection(found: _Found, picture: NDArray[np.uint8], ratio: NDArray[np.floa
         irises=(iris(left), iris(right)),
         mesh=to_portrait(mesh.points[:, :2]),
         confidence=found.score * mesh.presence,
-        fit_advised=fit_is_doubtful(mesh, found.score, mesh_wobble),
+        fit_advised=fit_is_doubtful(image, mesh, found.score),
     )
 
 
@@ -137,11 +137,14 @@ def _with_drawn_eyes(face: FaceDetection, rgb: NDArray[np.uint8]) -> FaceDetecti
     return replace(face, points=points, irises=irises, fit_advised=face.fit_advised or bool(off > MAX_EYE_SURPRISE))
 
 
-def _steadiest_fit(found: _Found, picture: NDArray[np.uint8]) -> tuple[FaceMesh, float]:
-    """The fit that wobbles less, of the view's and the plain picture's: a view helps to find, not always to fit."""
-    fits = [(found.mesh, wobble(found.image, found.mesh))]
-    if found.image is not picture:
-        mesh = fit_mesh(picture, found.roi)
-        if mesh.presence >= found.mesh.presence * PRESENCE_SLACK:
-            fits.append((mesh, wobble(picture, mesh)))
-    return min(fits, key=lambda fit: fit[1])
+def _steadiest_fit(found: _Found, picture: NDArray[np.uint8]) -> tuple[FaceMesh, NDArray[np.uint8]]:
+    """The view's fit or the plain picture's, whichever wobbles less, with its picture: a view helps to find, not
+    always to fit.
+    """
+    if found.image is picture:
+        return found.mesh, picture
+    mesh = fit_mesh(picture, found.roi)
+    plain_is_as_sure = mesh.presence >= found.mesh.presence * PRESENCE_SLACK
+    if plain_is_as_sure and wobble(picture, mesh) < wobble(found.image, found.mesh):
+        return mesh, picture
+    return found.mesh, found.image
