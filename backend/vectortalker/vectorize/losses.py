@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import vectortalker_core as core
@@ -140,18 +142,8 @@ def complete_local(
 
 def picture_below(population: Population, level: Level, group: int, fidelity: Fidelity) -> NDArray[np.float32]:
     """Image f32 [H, W, 3] of the paths under the first of `group`."""
-    n = population.below(group)
-    width, height = level.frame
     return core.rasterize(
-        population.points[:n],
-        population.stops[:n],
-        population.axis[:n],
-        population.gradient[:n],
-        clip_indices(population)[:n],
-        level.clips,
-        level.canvas,
-        width,
-        height,
+        *_paths_below(population, level, group),
         subrows=fidelity.subrows,
         threads=fidelity.threads,
         flatness=fidelity.flatness,
@@ -159,10 +151,28 @@ def picture_below(population: Population, level: Level, group: int, fidelity: Fi
 
 
 def merged_picture(population: Population, level: Level, fidelity: Fidelity) -> NDArray[np.float32]:
-    """Image f32 [H, W, 3] of all layers; at an opening's edge (1 − α)·fore + α·local, as local is clipped once."""
-    merged = picture_below(population, level, TOP, fidelity)
+    """Image f32 [H, W, 3] of all layers."""
+    return _clipped_once(level, lambda group: picture_below(population, level, group, fidelity))
+
+
+def previewed_picture(population: Population, level: Level, threads: int) -> NDArray[np.float32]:
+    """Image f32 [H, W, 3] of all layers as resvg paints it: within 43 dB (line art) to 52 dB of its own."""
+    return _clipped_once(level, lambda group: core.preview(*_paths_below(population, level, group), threads=threads))
+
+
+def _clipped_once(level: Level, below: Callable[[int], NDArray[np.float32]]) -> NDArray[np.float32]:
+    """All that is `below` the top; at an opening's edge (1 − α)·fore + α·local, as renderers clip local once."""
+    merged = below(TOP)
     edge = (level.opening > 0) & (level.opening < 1)
     if edge.any():
-        fore, share = picture_below(population, level, FIRST_LOCAL, fidelity)[edge], level.opening[edge, None]
+        fore, share = below(FIRST_LOCAL)[edge], level.opening[edge, None]
         merged[edge] = fore + share * (merged[edge] - fore)
     return merged
+
+
+def _paths_below(population: Population, level: Level, group: int) -> tuple[Any, ...]:
+    """What the core needs to know of the paths under the first of `group`, and of the level's frame."""
+    n = population.below(group)
+    fills = (population.stops[:n], population.axis[:n], population.gradient[:n])
+    clips = (clip_indices(population)[:n], level.clips)
+    return population.points[:n], *fills, *clips, level.canvas, *level.frame
