@@ -7,7 +7,7 @@ import xml.etree.ElementTree as ET
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from vectortalker import schema
 from vectortalker.scene import (
@@ -42,12 +42,14 @@ def random_scene(seed: int, n: int = 5) -> LayeredScene:
     return LayeredScene(100, 80, generator.uniform(0, 1, 3).astype(np.float32), *layers)
 
 
+@settings(deadline=None)
 @given(st.integers(0, 2**32 - 1))
 def test_wire_round_trip_is_exact_after_the_first_rounding(seed: int) -> None:
     once = to_wire(random_scene(seed))
     assert to_wire(from_wire(once)) == once
 
 
+@settings(deadline=None)
 @given(st.integers(0, 2**32 - 1))
 def test_rounding_moves_no_value_by_more_than_half_a_step(seed: int) -> None:
     scene = random_scene(seed)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import vectortalker_core as core
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from vectortalker.vectorize.interior_starts import resegment
 from vectortalker.vectorize.peaks import SPACING, coherent_energy, error_samples, greedy_maxima
@@ -29,6 +29,7 @@ def covered(points: np.ndarray, side: int) -> np.ndarray:
     return image[..., 0]
 
 
+@settings(deadline=None)
 @given(st.integers(0, 10_000), st.floats(1, 12), st.integers(1, 60))
 def test_greedy_maxima_descend_and_keep_their_distance(seed: int, radius: float, count: int) -> None:
     energies = np.random.default_rng(seed).random((2, 30, 40)).astype(np.float32)
