@@ -13,7 +13,7 @@ import pytest
 from vectortalker.errors import VectorTalkerError
 from vectortalker.outputs import write_whole
 from vectortalker.schema import JobRequest, Metrics, VectorizeOptions
-from vectortalker.server import portraits
+from vectortalker.server import kept, portraits
 from vectortalker.server.blobs import Blobs
 from vectortalker.server.cache import Cache, CachedResult
 from vectortalker.server.orphans import remove_orphans
@@ -167,7 +167,7 @@ def test_use_keeps_a_portrait(client: httpx.Client, services: Services) -> None:
     portrait_id = upload(client, picture()).json()["id"]
     uploaded = time.time()
     start_job(client, portrait_id)
-    assert portraits.unused_since(services.store, uploaded) == []
+    assert kept.unused_since(services.store, "portraits", uploaded) == []
 
 
 @pytest.fixture

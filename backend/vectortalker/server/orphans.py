@@ -10,7 +10,7 @@ import logging
 import time
 from collections.abc import Iterator
 
-from vectortalker.server import cache, portraits, record, recordings
+from vectortalker.server import cache, record
 from vectortalker.server.services import Services
 from vectortalker.server.settings import DAY_SECONDS
 from vectortalker.server.store import Change
@@ -18,8 +18,8 @@ from vectortalker.server.store import Change
 SEEN = "orphans"  # index of orphans by the time when they were first seen
 PLACES = {  # among the blobs: the index of what may lie there
     "jobs": record.ALL,
-    "portraits": portraits.USED,
-    "recordings": recordings.USED,
+    "portraits": "portraits",
+    "recordings": "recordings",
     "cache": cache.USED,
 }
 

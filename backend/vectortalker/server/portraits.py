@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import io
 import secrets
-import time
 
 import numpy as np
 from PIL import Image
@@ -16,10 +15,10 @@ from vectortalker import decode, schema
 from vectortalker.errors import VectorTalkerError
 from vectortalker.server.blobs import Blobs
 from vectortalker.server.cache import digest
-from vectortalker.server.store import Change, Store
+from vectortalker.server.kept import note_use
+from vectortalker.server.store import Store
 
 MAX_NAME = 120
-USED = "portraits"  # index of portraits by their last use
 PNG_COMPRESSION = 1  # half the time of the default for a tenth more bytes
 
 
@@ -33,20 +32,11 @@ def add(store: Store, blobs: Blobs, data: bytes, filename: str) -> schema.Portra
         height=decoded.height,
         notices=list(decoded.notices),
     )
-    note_use(store, portrait.id)
+    note_use(store, "portraits", portrait.id)
     blobs.put(_key(portrait.id, "source"), data)
     blobs.put(_key(portrait.id, "digest"), digest(data).encode())
     blobs.put(_key(portrait.id, "portrait.json"), portrait.model_dump_json().encode())
     return portrait
-
-
-def note_use(store: Store, portrait_id: str) -> None:
-    """It is kept from now on for the time that portraits are kept."""
-    store.commit(Change(ranks={(USED, portrait_id): time.time()}))
-
-
-def unused_since(store: Store, epoch_seconds: float) -> list[str]:
-    return store.members(USED, below=epoch_seconds)
 
 
 def describe(blobs: Blobs, portrait_id: str) -> schema.Portrait:
@@ -92,11 +82,6 @@ def warm_up() -> None:
     from vectortalker import landmarks
 
     landmarks.detect(np.full((64, 64, 3), 128, np.uint8))
-
-
-def delete(store: Store, blobs: Blobs, portrait_id: str) -> None:
-    blobs.delete_folder(f"portraits/{portrait_id}")
-    store.commit(Change(ranks={(USED, portrait_id): None}))
 
 
 def display_name(filename: str, default: str = "portrait") -> str:

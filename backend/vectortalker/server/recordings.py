@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import secrets
-import time
 
 import av
 import numpy as np
@@ -12,10 +11,10 @@ import numpy as np
 from vectortalker import schema
 from vectortalker.errors import VectorTalkerError
 from vectortalker.server.blobs import Blobs
+from vectortalker.server.kept import note_use
 from vectortalker.server.portraits import display_name
-from vectortalker.server.store import Change, Store
+from vectortalker.server.store import Store
 
-USED = "recordings"  # index of recordings by their last use
 ENVELOPE_FPS = 50
 DECIMALS = 3
 MEDIA_TYPES = {  # by the first name of FFmpeg's format
@@ -37,19 +36,10 @@ def add(store: Store, blobs: Blobs, data: bytes, filename: str) -> schema.Record
         media_type=_media_type(data),
         envelope=_envelope(samples, round(RATE / ENVELOPE_FPS)),
     )
-    note_use(store, recording.id)
+    note_use(store, "recordings", recording.id)
     blobs.put(_key(recording.id, "source"), data)
     blobs.put(_key(recording.id, "recording.json"), recording.model_dump_json().encode())
     return recording
-
-
-def note_use(store: Store, recording_id: str) -> None:
-    """It is kept from now on for the time that recordings are kept."""
-    store.commit(Change(ranks={(USED, recording_id): time.time()}))
-
-
-def unused_since(store: Store, epoch_seconds: float) -> list[str]:
-    return store.members(USED, below=epoch_seconds)
 
 
 def describe(blobs: Blobs, recording_id: str) -> schema.Recording:
@@ -64,11 +54,6 @@ def source(blobs: Blobs, recording_id: str) -> bytes:
     """The file as it came. Raises `not_found`."""
     describe(blobs, recording_id)
     return blobs.get(_key(recording_id, "source"))
-
-
-def delete(store: Store, blobs: Blobs, recording_id: str) -> None:
-    blobs.delete_folder(f"recordings/{recording_id}")
-    store.commit(Change(ranks={(USED, recording_id): None}))
 
 
 def _envelope(samples: np.ndarray, hop: int) -> list[float]:

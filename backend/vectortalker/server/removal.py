@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import logging
 import time
+from typing import get_args
 
-from vectortalker.server import portraits, recordings
+from vectortalker.server import kept, portraits, recordings
 from vectortalker.server.run import folder
 from vectortalker.server.services import Services
 
@@ -17,7 +18,7 @@ log = logging.getLogger("vectortalker.removal")
 def remove_portrait(services: Services, portrait_id: str) -> None:
     """The picture, every job on it with its files, and what the cache has of it. Raises `not_found`."""
     picture = portraits.picture(services.blobs, portrait_id)
-    portraits.delete(services.store, services.blobs, portrait_id)
+    kept.delete(services.store, services.blobs, "portraits", portrait_id)
     services.cache.forget(picture)
     for job_id in services.jobs.of_portrait(portrait_id):
         remove_job(services, job_id)
@@ -26,7 +27,7 @@ def remove_portrait(services: Services, portrait_id: str) -> None:
 def remove_recording(services: Services, recording_id: str) -> None:
     """The sound, and every job on it with its files. Raises `not_found`."""
     recordings.describe(services.blobs, recording_id)
-    recordings.delete(services.store, services.blobs, recording_id)
+    kept.delete(services.store, services.blobs, "recordings", recording_id)
     for job_id in services.jobs.of_portrait(recording_id):
         remove_job(services, job_id)
 
@@ -40,12 +41,10 @@ def remove_job(services: Services, job_id: str) -> None:
 def sweep(services: Services) -> None:
     """Remove what was not used for the time that the settings say."""
     end = time.time() - services.settings.retention_seconds
-    for portrait_id in portraits.unused_since(services.store, end)[:SWEEP_AT_MOST]:
-        portraits.delete(services.store, services.blobs, portrait_id)
-        log.info("a portrait was removed at the end of its time")
-    for recording_id in recordings.unused_since(services.store, end)[:SWEEP_AT_MOST]:
-        recordings.delete(services.store, services.blobs, recording_id)
-        log.info("a recording was removed at the end of its time")
+    for kind in get_args(kept.Kept):
+        for name in kept.unused_since(services.store, kind, end)[:SWEEP_AT_MOST]:
+            kept.delete(services.store, services.blobs, kind, name)
+            log.info("removed at the end of its time", extra={"place": kind})
     for job_id in services.jobs.unchanged_since(end)[:SWEEP_AT_MOST]:
         remove_job(services, job_id)
         log.info("removed at the end of its time", extra={"job": job_id})

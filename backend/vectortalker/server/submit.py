@@ -7,7 +7,7 @@ import secrets
 from pydantic import BaseModel
 
 from vectortalker.schema import JobRequest, JobState
-from vectortalker.server import portraits
+from vectortalker.server import kept, portraits
 from vectortalker.server.record import Kind
 from vectortalker.server.run import folder
 from vectortalker.server.services import Services
@@ -25,7 +25,7 @@ def submit(services: Services, client: str, kind: Kind, portrait_id: str | None,
 
 def submit_portrait(services: Services, client: str, request: JobRequest) -> JobState:
     """A job that vectorises a portrait; it is done at once if the result is known. Raises `not_found` as well."""
-    portraits.note_use(services.store, portraits.describe(services.blobs, request.portrait_id).id)
+    kept.note_use(services.store, "portraits", portraits.describe(services.blobs, request.portrait_id).id)
     known = services.cache.find(portraits.picture(services.blobs, request.portrait_id), request)
     if known is None:
         return submit(services, client, "vectorize", request.portrait_id, request)

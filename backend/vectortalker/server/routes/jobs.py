@@ -9,9 +9,8 @@ from fastapi import APIRouter, Depends, Header, Response
 from fastapi.sse import EventSourceResponse, ServerSentEvent
 
 from vectortalker import schema
-from vectortalker.errors import VectorTalkerError
 from vectortalker.server.events import event_id, snapshots, unseen
-from vectortalker.server.routes.access import Client, Has, Id
+from vectortalker.server.routes.access import Client, Has, Id, job_file
 from vectortalker.server.run import folder
 from vectortalker.server.submit import submit_portrait
 
@@ -49,20 +48,14 @@ async def watch_job(
 @router.get("/{job_id}/scene", response_class=Response, responses={200: {"model": schema.Scene}})
 def get_scene(job_id: Id, has: Has) -> Response:
     """The latest scene. Not found until the first one is there (`scene_revision` 0)."""
-    has.jobs.get(job_id)
-    data = has.blobs.find(f"{folder(job_id)}/scene.json")
-    if data is None:
-        raise VectorTalkerError("not_found", "There is no scene yet: wait for the first level.")
+    data = job_file(has, job_id, "scene.json", "There is no scene yet: wait for the first level.")
     return Response(data, media_type="application/json")
 
 
 @router.get("/{job_id}/svg", response_class=Response, responses={200: {"content": {"image/svg+xml": {}}}})
 def get_svg(job_id: Id, has: Has) -> Response:
     """The layered SVG. Not found until the job is done."""
-    has.jobs.get(job_id)
-    data = has.blobs.find(f"{folder(job_id)}/portrait.svg")
-    if data is None:
-        raise VectorTalkerError("not_found", "There is no SVG yet: wait for the job to be done.")
+    data = job_file(has, job_id, "portrait.svg", "There is no SVG yet: wait for the job to be done.")
     headers = {"Content-Disposition": 'attachment; filename="portrait.svg"'}
     return Response(data, media_type="image/svg+xml", headers=headers)
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from fastapi import APIRouter, Response
 
 from vectortalker import schema
-from vectortalker.errors import VectorTalkerError
-from vectortalker.server.routes.access import Client, Has, Id
+from vectortalker.server.routes.access import Client, Has, Id, job_file
 from vectortalker.server.run import folder
 from vectortalker.server.submit import submit
 
@@ -25,10 +24,7 @@ def start_video(request: schema.VideoRequest, has: Has, client: Client) -> schem
 )
 def get_video(job_id: Id, has: Has) -> Response:
     """Not found until the job is done."""
-    has.jobs.get(job_id)
-    data = has.blobs.find(f"{folder(job_id)}/video")
-    if data is None:
-        raise VectorTalkerError("not_found", "The video is not ready yet: wait for its job to be done.")
+    data = job_file(has, job_id, "video", "The video is not ready yet: wait for its job to be done.")
     request = schema.VideoRequest.model_validate_json(has.blobs.get(f"{folder(job_id)}/request.json"))
     headers = {"Content-Disposition": f'attachment; filename="video.{request.format}"'}
     return Response(data, media_type=MEDIA_TYPES[request.format], headers=headers)
