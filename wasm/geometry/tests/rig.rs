@@ -365,6 +365,26 @@ proptest! {
         }
     }
 
+    /// Two paths with a common border part along it nowhere: its points, split points too, are the same numbers.
+    #[test]
+    fn paths_that_share_a_curve_share_its_points(values in channel_values()) {
+        let first = blob(Point::new(200.0, 230.0), Point::new(70.0, 60.0));
+        let mut second = first.clone();
+        for p in &mut second[7..12] {
+            p.y -= 40.0; // the two segments from 6 on; those before are common
+        }
+        let paths = [(Layer::Fore, first), (Layer::Fore, second)];
+        let rig = rig_of(face(12.0), &paths, Options { split: true, smooth: false });
+        let common = |a: &[Point], b: &[Point]| a.iter().zip(b).take_while(|(p, q)| p == q).count();
+        let (a, b) = (rig.paths().rest_path(0), rig.paths().rest_path(1));
+        let shared = common(a, b);
+        prop_assert!(shared > 7, "{shared}: the common segments cross edges");
+        let moved = warped(&rig, &rig.vertices(&Pose::from_flat(&values, &[]).unwrap()).0);
+        if let (Some(a), Some(b)) = (moved.get(&0), moved.get(&1)) {
+            prop_assert!(common(a, b) >= shared);
+        }
+    }
+
     #[test]
     fn warp_is_linear_in_the_vertices(values in channel_values(), share in 0.0..1.0) {
         let rig = rig_of(face(12.0), &blobs(Layer::Fore), Options { split: true, smooth: false });
