@@ -10,7 +10,10 @@ from vectortalker.speech.visemes import CHANNELS, VISEMES
 WIDTH = 128
 KERNEL = 5
 STRIDE = 2  # 10 ms frames in, 20 ms frames out
-LAYERS = ((1, 2), (2, 2), (4, 1), (8, 0), (1, 1), (2, 1), (4, 0))  # dilation, taps into the future
+LAYERS = ((1, 2), (2, 2), (4, 1), (8, 0), (1, 1), (2, 1), (4, 0), (4, 2))  # dilation, taps into the future
+FIRST_GAIN = (
+    0.1  # layers begin near the identity (Goyal et al. 2017, section 5.1), and so may be added to a trained stack
+)
 FEATURE_SCALE = 1 / 3  # brings log powers near unit variance
 
 STEM_PAST = KERNEL // 2  # 10 ms frames
@@ -26,6 +29,7 @@ class Layer(nn.Module):
         self.padding = ((KERNEL - 1 - future) * dilation, future * dilation)
         self.convolution = nn.Conv1d(WIDTH, WIDTH, KERNEL, dilation=dilation, bias=False)
         self.norm = nn.BatchNorm1d(WIDTH)
+        nn.init.constant_(self.norm.weight, FIRST_GAIN)
         self.dropout = nn.Dropout1d(
             0.1
         )  # of whole channels: dropping single values takes a fifth of the time of a step

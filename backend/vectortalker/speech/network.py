@@ -1,7 +1,7 @@
 """Turns normalised log-mel frames into viseme posteriors and articulators, 50 a second, by the committed network.
 
-The network is a stack of dilated convolutions over time (`scripts/speech/network.py`). An output needs 1.5 s of the
-past and 280 ms of the future at most, so a long clip is run in chunks that overlap by that much, with the same answer.
+The network is a stack of dilated convolutions over time (`scripts/speech/network.py`). An output needs 1.7 s of the
+past and 440 ms of the future at most, so a long clip is run in chunks that overlap by that much, with the same answer.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from vectortalker.speech.visemes import CHANNELS, VISEMES
 MODEL = Path(__file__).parent / "model" / "speech.onnx"
 N_THREADS = 2
 STRIDE = 2  # 10 ms frames in, 20 ms frames out
-PAST, FUTURE = 80, 16  # output frames that an output depends on, rounded up from the network's 76 and 14
+PAST, FUTURE = 88, 24  # output frames that an output depends on, rounded up from the network's 84 and 22
 CHUNK = 1500  # output frames: 30 s
 
 
