@@ -11,9 +11,7 @@ WIDTH = 128
 KERNEL = 5
 STRIDE = 2  # 10 ms frames in, 20 ms frames out
 LAYERS = ((1, 2), (2, 2), (4, 1), (8, 0), (1, 1), (2, 1), (4, 0), (4, 2))  # dilation, taps into the future
-FIRST_GAIN = (
-    0.1  # layers begin near the identity (Goyal et al. 2017, section 5.1), and so may be added to a trained stack
-)
+FIRST_GAIN = 0.1  # layers begin near the identity (Goyal et al. 2017, section 5.1): they may join a trained stack
 FEATURE_SCALE = 1 / 3  # brings log powers near unit variance
 
 STEM_PAST = KERNEL // 2  # 10 ms frames
