@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt, maximum_filter, minimum_filter
 
 from vectortalker.inpaint import fill
+from vectortalker.interior import MOST_SMILE_GAPE
 from vectortalker.landmarks.ibug import IrisDisc
 from vectortalker.layers import LayerTargets, targets
 from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, TOP, Completion, Level, Sheet, Silhouette
@@ -36,7 +37,6 @@ FIRST_PART = (0, 1, 4)  # part of a path seeded in the left eye's, right eye's a
 IRIS_PART = (2, 3)
 MOUTH = 2  # index of its opening
 LOWER_TEETH, UPPER_TEETH = 5, 7
-MOST_SMILE_GAPE = 0.4  # height over width of the opening; lower teeth and tongue are seen in a wider one
 LEAST_TEETH_CONTRAST = 0.25  # of lightness within an open mouth; below it no teeth are told from the rest
 MOST_TEETH_CHROMA = 0.35  # largest minus least channel: lips and tongue have more
 FEATURES = (range(36, 42), range(42, 48), range(48, 68))  # iBUG: image-left eye, image-right eye, mouth
