@@ -10,7 +10,7 @@ import { track } from '../store/state';
 import { useTrack } from '../store/tracks';
 import { keepClip, nameClip } from './clips';
 import { roughTrack } from './envelope';
-import { retrack } from './retracking';
+import { takeUpChoices } from './retracking';
 import { clip, soundOf } from './sound';
 import { audioOf, blocksOf, choicesOf, type SpeechTrack, tierOf } from './speechTrack';
 import { choices, keepingChoices, type Listening, listening } from './state';
@@ -49,7 +49,12 @@ export function listenToPart(part: Span, words: string): Promise<void> {
 /** Stops whatever is under way; the rough track stays. */
 export function cancelListening(): void {
   stopper.abort();
+  rest();
+}
+
+function rest(): void {
   listening.value = { kind: 'idle' };
+  takeUpChoices(); // what was chosen meanwhile
 }
 
 async function attempt(first: Listening, work: (signal: AbortSignal) => Promise<void>): Promise<void> {
@@ -62,7 +67,7 @@ async function attempt(first: Listening, work: (signal: AbortSignal) => Promise<
   } catch (error) {
     if (!signal.aborted) report(error);
   }
-  if (!signal.aborted) listening.value = { kind: 'idle' };
+  if (!signal.aborted) rest();
 }
 
 /** `spoken`: the sound is the server's own, of that text. */
@@ -100,7 +105,6 @@ async function listen(base: Track, what: Heard, signal: AbortSignal): Promise<vo
   const { name } = base;
   keepingChoices(() => place(base, { ...heard, name, visemes, loudness, tier, audio: audioOf(base) ?? undefined, choices: asked }));
   announce(`The lips follow ${name}`);
-  if (choices.value.options !== asked.options) retrack();
 }
 
 /** A better track takes the place of the rough one without a step of its own; any other change is one. */

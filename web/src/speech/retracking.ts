@@ -7,8 +7,8 @@ import { apply } from '../store/editing';
 import { FileError, report } from '../store/notices';
 import { track } from '../store/state';
 import type { Blocks } from './blocks';
-import { blocksOf, loudnessOf, type SpeechTrack } from './speechTrack';
-import { blocks, choices, keepingChoices, pendingBlocks } from './state';
+import { blocksOf, choicesOf, loudnessOf, type SpeechTrack } from './speechTrack';
+import { blocks, choices, keepingChoices, listening, pendingBlocks } from './state';
 
 const SETTLED_MILLISECONDS = 150;
 
@@ -29,18 +29,21 @@ export function sketchChoice(next: Partial<SpeechOptions>): void {
   choices.value = { ...choices.value, options: { ...choices.value.options, ...next } };
 }
 
-/** Manner, gains, amplitude, smoothing: taken up by the track on the timeline as soon as they rest. */
+/** Manner, gains, amplitude, smoothing: taken up by the track on the timeline as soon as they rest and nothing is being listened to. */
 export function choose(next: Partial<SpeechOptions>): void {
   sketchChoice(next);
   clearTimeout(settling);
-  settling = setTimeout(retrack, SETTLED_MILLISECONDS);
+  settling = setTimeout(takeUpChoices, SETTLED_MILLISECONDS);
 }
 
-/** The track of the blocks on the timeline, made anew with the present choices. */
-export function retrack(): void {
+/** The track of the blocks on the timeline is made anew if it was made with other choices; a hearing that ends asks again. */
+export function takeUpChoices(): void {
+  clearTimeout(settling);
   const present = blocks.value;
-  if (present) enqueue(present, {});
+  if (present && listening.value.kind === 'idle' && !isTakenUp(choices.value.options)) enqueue(present, {});
 }
+
+const isTakenUp = (options: SpeechOptions) => JSON.stringify(choicesOf(track.value)?.options) === JSON.stringify(options);
 
 function enqueue(next: Blocks, beside: Partial<SpeechTrack>): void {
   queued += 1;
