@@ -25,7 +25,7 @@ from tests.server.conftest import COMMAND, free_port
 from tests.server.redis_server import RedisServer
 
 PORTRAITS = 20
-OPTIONS = ["--paths", "60", "--levels", "3", "--iterations", "60", "--final-iterations", "60", "--working-size", "128"]
+OPTIONS = ["--preset", "draft"]
 RATIO_LIMIT = 0.6
 
 
