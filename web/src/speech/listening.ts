@@ -54,7 +54,7 @@ export function cancelListening(): void {
 
 function rest(): void {
   listening.value = { kind: 'idle' };
-  takeUpChoices(); // what was chosen meanwhile
+  if (choicesOf(track.value)) takeUpChoices(); // what was chosen meanwhile; tracks of other programs stay as they came
 }
 
 async function attempt(first: Listening, work: (signal: AbortSignal) => Promise<void>): Promise<void> {
