@@ -14,7 +14,7 @@ import skia
 from numpy.typing import NDArray
 
 from vectortalker.animate.drawing import Drawing, Points
-from vectortalker.schema import HexColour, LinearFill
+from vectortalker.schema import Fill, HexColour, LinearFill
 
 Rgba = NDArray[np.uint8]  # [height, width, 4], opaque
 
@@ -42,6 +42,7 @@ class FrameRenderer:
         self._scale = size[0] / drawing.width, size[1] / drawing.height
         linear = np.flatnonzero(drawing.linear).tolist()
         self._gradient_rows = {path: int(drawing.bounds[-1]) + 2 * rank for rank, path in enumerate(linear)}
+        self._visible = [_paints(fill) for fill in drawing.fills]
         self._points: Points | None = None
         self._outlines = [skia.Path() for _ in drawing.bounds[:-1]]
         self._back: skia.Image | None = None
@@ -70,7 +71,8 @@ class FrameRenderer:
 
     def _paint(self, canvas: skia.Canvas, paths: Iterable[int], points: Points) -> None:
         for path in paths:
-            canvas.drawPath(self._outlines[path], self._paint_of(path, points))
+            if self._visible[path]:
+                canvas.drawPath(self._outlines[path], self._paint_of(path, points))
 
     def _paint_of(self, path: int, points: Points) -> skia.Paint:
         fill = self._drawing.fills[path]
@@ -106,6 +108,10 @@ def _outline(points: Points) -> skia.Path:
         path.cubicTo(*rows[j], *rows[j + 1], *rows[j + 2])
     path.close()
     return path
+
+
+def _paints(fill: Fill) -> bool:
+    return fill.opacity > 0 if fill.kind == "solid" else any(stop.opacity > 0 for stop in fill.stops)
 
 
 def _gradient(fill: LinearFill, ends: Points) -> skia.Shader:

@@ -11,6 +11,7 @@ from vectortalker.bench.ledger import keep, kept
 from vectortalker.bench.lpips import Lpips, load_lpips
 from vectortalker.bench.measure import VTRACER_SETTINGS, Run, run_recipe, run_vtracer
 from vectortalker.bench.portraits import Sitter, portrait_files, portrait_folder, sitters
+from vectortalker.bench.posed import posed_table
 from vectortalker.bench.sheets import contact_sheet
 from vectortalker.bench.tables import means, side_by_side
 from vectortalker.schema import VectorizeOptions
@@ -71,6 +72,7 @@ TABLES: dict[str, tuple[str, dict[str, VectorizeOptions]]] = {
         },
     ),
 }
+POSED = "rig"  # of what goes wrong with posed portraits; it has no ways
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -88,6 +90,10 @@ def main(arguments: list[str] | None = None) -> int:
     report = [_conditions(people, lpips)]
     print(report[0])
     for name in options.tables.split(","):
+        if name == POSED:
+            report.append(posed_table(people, "draft", options.out / name))
+            print(report[-1], flush=True)
+            continue
         title, ways = TABLES[name]
         chosen = [way for way in _ways(name) if options.ways is None or way in options.ways.split(";")]
         lines = [[_run(sitter, way, ways, lpips, options.out / name) for way in chosen] for sitter in people]
@@ -102,7 +108,9 @@ def main(arguments: list[str] | None = None) -> int:
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="vectortalker bench", description="Print the benchmark tables.")
-    parser.add_argument("--tables", default="recipes", help=f"comma-separated: {', '.join(TABLES)} (default: recipes)")
+    parser.add_argument(
+        "--tables", default="recipes", help=f"comma-separated: {', '.join((*TABLES, POSED))} (default: recipes)"
+    )
     parser.add_argument("--ways", metavar="NAMES", help="semicolon-separated lines of the tables, all if absent")
     parser.add_argument("--quick", action="store_true", help="six portraits instead of all")
     parser.add_argument("--only", metavar="NAMES", help="portraits whose file names contain one of these")
@@ -121,7 +129,7 @@ def _ways(table: str) -> list[str]:
 def _unknown(tables: str, ways: str | None) -> list[str]:
     names = tables.split(",")
     known = {way for name in names if name in TABLES for way in _ways(name)}
-    return [name for name in names if name not in TABLES] + [
+    return [name for name in names if name not in (*TABLES, POSED)] + [
         way for way in (ways or "").split(";") if way not in known | {""}
     ]
 

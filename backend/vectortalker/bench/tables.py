@@ -32,7 +32,7 @@ def means(title: str, rows: Sequence[Row]) -> str:
     for way in ways:
         own = [row for row in rows if row.way == way]
         lines.append([way, str(len(own)), *(_mean(own, value, form) for _, value, form in COLUMNS)])
-    return f"### {title}\n\n{_markdown(lines)}\n"
+    return f"### {title}\n\n{markdown(lines)}\n"
 
 
 def side_by_side(title: str, rows: Sequence[Row]) -> str:
@@ -41,7 +41,7 @@ def side_by_side(title: str, rows: Sequence[Row]) -> str:
     psnr = {(row.portrait, row.way): f"{row.metrics.psnr:.2f}" for row in rows}
     portraits = list(dict.fromkeys(row.portrait for row in rows))
     lines = [["PSNR", *ways], *([name, *(psnr.get((name, way), ABSENT) for way in ways)] for name in portraits)]
-    return f"### {title}\n\n{_markdown(lines)}\n"
+    return f"### {title}\n\n{markdown(lines)}\n"
 
 
 def _mean(rows: Sequence[Row], value: Callable[[Row], float | None], form: str) -> str:
@@ -53,7 +53,8 @@ def _per_iteration(row: Row) -> float | None:
     return 1000 * row.metrics.cpu_seconds / row.metrics.iterations if row.metrics.iterations else None
 
 
-def _markdown(lines: list[list[str]]) -> str:
+def markdown(lines: list[list[str]]) -> str:
+    """The first line are the headings."""
     widths = [max(len(line[column]) for line in lines) for column in range(len(lines[0]))]
     text = [
         "| " + " | ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)) + " |" for line in lines

@@ -1,0 +1,128 @@
+"""What goes wrong with a posed portrait, counted: holes, tears, moving scenery, open eyes, bent irises and teeth."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image, ImageDraw
+from scipy.ndimage import binary_dilation, binary_fill_holes
+
+from vectortalker.animate.drawing import Drawing, Points
+from vectortalker.animate.frames import FrameRenderer
+from vectortalker.animate.rigged import RiggedScene, frame_points
+from vectortalker.bench.posed_parts import EYEBALLS, TEETH, Blot, IrisLook, PaintedParts, coloured, hidden
+from vectortalker.schema import HexColour, Landmarks, Part, Pose, Scene
+
+MAGENTA, GREEN = "#ff00ff", "#00ff00"
+TOLERANCE = 2  # of 255
+SEES_THROUGH = 16  # of 255 between magenta and green: a sixteenth of what lies behind
+ROW_NOISE = 16  # of 255: how much Skia's antialiasing of an outline depends on what else crosses the row
+BORDER = 2  # px of antialiasing round a region
+EYE_PARTS = (*EYEBALLS.keys(), *EYEBALLS.values())
+
+Mask = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class PoseFigures:
+    """Of one pose, in pixels: `holes` through the picture and `tears` in the fore layer that rest lacks, `strayed`
+    changes outside moved triangles and openings, `eyes` of the eyeballs' paths that show. Largest change against rest,
+    as a share: `iris_shape` of an iris's roundness, `iris_size` and `teeth_size` of an area, `iris_look` of the irises'
+    pixels that have another colour. `held`: share of the motion that was carried out.
+    """
+
+    holes: int
+    tears: int
+    strayed: int
+    eyes: int
+    iris_shape: float
+    iris_size: float
+    iris_look: float
+    teeth_size: float
+    held: float
+
+
+class Sitting:
+    """A rigged portrait rendered at `size` px, with its rest pose to compare with."""
+
+    def __init__(self, rigged: RiggedScene, scene: Scene, landmarks: Landmarks, size: tuple[int, int]) -> None:
+        self._rigged, self._scale = rigged, size[0] / scene.width
+        drawing = rigged.drawing
+        nowhere: list[Part | None] = [None] * (len(scene.back) + len(scene.fore))
+        parts = [*nowhere, *(path.part for path in scene.local)]
+        back, others = drawing.fills[: drawing.n_back], drawing.fills[drawing.n_back :]
+        in_front = replace(drawing, fills=(*map(hidden, back), *others))
+        self._renderer = FrameRenderer(drawing, size)
+        self._over = [FrameRenderer(drawing, size, colour) for colour in (MAGENTA, GREEN)]
+        self._fore = [FrameRenderer(in_front, size, colour) for colour in (MAGENTA, GREEN)]
+        self._eyes = [FrameRenderer(self._eyes_painted(parts, colour), size) for colour in (MAGENTA, GREEN)]
+        self._parts = PaintedParts(drawing, parts)
+        irises = landmarks.irises or ()
+        self._looks = [IrisLook(rigged, parts, iris.radius, eye) for eye, iris in enumerate(irises)]
+        self._rest = self._renderer.render(rigged.rest).astype(np.int16)
+        self._rest_holes = _apart(self._over, rigged.rest) > TOLERANCE
+        self._rest_tears = int(_tears(self._fore, rigged.rest).sum())
+        self._rest_parts = self._parts.blots(rigged.rest)
+
+    def figures(self, pose: Pose) -> PoseFigures:
+        posed = self._rigged.rig.vertices(pose)
+        points = frame_points(self._rigged, posed.vertices)
+        changed = np.abs(self._renderer.render(points).astype(np.int16) - self._rest).max(axis=2) > ROW_NOISE
+        now = self._parts.blots(points)
+        return PoseFigures(
+            holes=int(((_apart(self._over, points) > TOLERANCE) & ~self._rest_holes).sum()),
+            tears=max(0, int(_tears(self._fore, points).sum()) - self._rest_tears),
+            strayed=int((changed & ~self._moved_region(posed.vertices)).sum()),
+            eyes=int((_apart(self._eyes, points) > SEES_THROUGH).sum()),
+            iris_shape=self._largest_change(now, tuple(EYEBALLS), lambda blot: blot.roundness),
+            iris_size=self._largest_change(now, tuple(EYEBALLS), lambda blot: blot.area),
+            iris_look=max((look.unlike(points, posed.vertices) for look in self._looks), default=0.0),
+            teeth_size=self._largest_change(now, TEETH, lambda blot: blot.area),
+            held=posed.scale,
+        )
+
+    def _eyes_painted(self, parts: list[Part | None], colour: HexColour) -> Drawing:
+        fills = zip(self._rigged.drawing.fills, parts, strict=True)
+        painted = tuple(coloured(fill, colour) if part in EYE_PARTS else fill for fill, part in fills)
+        return replace(self._rigged.drawing, fills=painted)
+
+    def _largest_change(self, now: dict[Part, Blot], parts: tuple[Part, ...], value: Callable[[Blot], float]) -> float:
+        """Against rest, as a share; a part that vanishes has changed by all it was."""
+        rest = {part: value(blot) for part, blot in self._rest_parts.items() if part in parts}
+        changes = [abs(value(now[part]) / before - 1) if part in now else 1.0 for part, before in rest.items()]
+        return max(changes, default=0.0)
+
+    def _moved_region(self, vertices: Points) -> Mask:
+        """Triangles with a vertex that moved and the openings, before and after."""
+        rest, rig = self._rigged.rig.rest_vertices, self._rigged.rig
+        triangles = rig.triangles[(vertices != rest).any(axis=1)[rig.triangles].any(axis=1)]
+        outlines = [_polyline(outline) for state in (rest, vertices) for outline in rig.openings(state)]
+        height, width = self._rest.shape[:2]
+        region = Image.new("1", (width, height))
+        pen = ImageDraw.Draw(region)
+        for corners in (*rest[triangles], *vertices[triangles], *outlines):
+            pen.polygon((corners * self._scale - 0.5).ravel().tolist(), fill=1)
+        return np.asarray(binary_dilation(np.asarray(region), iterations=BORDER), bool)
+
+
+def _apart(renderers: list[FrameRenderer], points: Points) -> NDArray[np.int16]:
+    first, second = (renderer.render(points)[..., :3].astype(np.int16) for renderer in renderers)
+    return np.abs(first - second).max(axis=2)
+
+
+def _tears(renderers: list[FrameRenderer], points: Points) -> Mask:
+    """Places enclosed by the fore layer at which it lets through what lies behind."""
+    opaque = _apart(renderers, points) <= SEES_THROUGH
+    return np.asarray(binary_fill_holes(opaque), bool) & ~opaque
+
+
+def _polyline(chain: Points) -> Points:
+    """Points of a closed cubic chain [3S, 2], eight a segment."""
+    t = np.linspace(0, 1, 8, endpoint=False)[:, None]
+    controls = [np.roll(chain, -k, axis=0)[::3] for k in range(4)]
+    basis = ((1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t**2 * (1 - t), t**3)
+    curves = sum(weight * control[:, None] for weight, control in zip(basis, controls, strict=True))
+    return np.asarray(curves).reshape(-1, 2)
