@@ -25,6 +25,7 @@ from vectortalker.speech.listening import weighted
 from vectortalker.speech.network import Heard, hear
 from vectortalker.speech.transcript import words_of
 from vectortalker.speech.visemes import SILENCE, VISEMES, Block, blocks_of_phones, classes_at
+from vectortalker.speech.vocal_tract import fitted
 
 PARTS = ("synthesiser", "voices", "languages", "noisy", "tuning")
 LANGUAGES = {"en": "en-us"}  # flite's and Festival's English voices are American
@@ -164,7 +165,7 @@ def _lag(reference: np.ndarray, jaw: np.ndarray) -> float:
 
 
 def heard_in(clip: Clip) -> Heard:
-    return hear(normalised(log_mels([clip.samples])))
+    return hear(fitted(normalised(log_mels([clip.samples]))))
 
 
 def by_network(clip: Clip) -> list[Block]:
@@ -210,7 +211,7 @@ def by_pocketsphinx() -> Callable[[Clip], list[Block]]:
 def closed_without_speech(samples: np.ndarray) -> float:
     """Share of frames with closed lips."""
     frames = log_mels([samples.astype(np.float32)])
-    heard = hear(normalised(frames))
+    heard = hear(fitted(normalised(frames)))
     blocks = weighted(decode(heard.log_posteriors), heard)
     track = track_from_blocks(blocks, levels(frames)[::2][: len(heard.articulators)].astype(float), Options(), "none")
     return float((lip_gap(as_landmarks(track).landmarks) < CLOSED).mean())

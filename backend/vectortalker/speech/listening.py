@@ -20,6 +20,7 @@ from vectortalker.speech.features import levels, log_mels, normalised
 from vectortalker.speech.network import Heard, hear
 from vectortalker.speech.styles import STYLES
 from vectortalker.speech.visemes import Block, cut
+from vectortalker.speech.vocal_tract import fitted
 
 Progress = Callable[[str, float], None]  # told the stage and the done share, 0 to 1; may raise to stop the work
 
@@ -44,7 +45,7 @@ def listen(sound: Path | BinaryIO, progress: Progress) -> Listened:
     """Raises `bad_audio` for a file that is no sound, empty, shorter than a frame or over 10 minutes."""
     progress("listening", 0.0)
     frames = log_mels(mono_chunks(sound))
-    heard = hear(normalised(frames), lambda done: progress("listening", LISTENING_SHARE * done))
+    heard = hear(fitted(normalised(frames)), lambda done: progress("listening", LISTENING_SHARE * done))
     n_frames = len(heard.articulators)
     if n_frames == 0:
         raise VectorTalkerError("bad_audio", "The recording is shorter than 20 ms: nothing can be said in that.")
