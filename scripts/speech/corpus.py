@@ -2,8 +2,9 @@
 
     python scripts/speech/corpus.py OUT_FOLDER [--seed 0]
 
-Needs espeak-ng, flite, festival with the voices of `synthesisers.py`, the word lists of `texts.py`, and the prompts of
-`recordings.py`, whose phones the network of the package finds.
+Needs espeak-ng, flite, festival with the voices of `synthesisers.py`, the readers of `readers.py`, the word lists and
+quotations of `texts.py`, and the prompts of `recordings.py`. Phones of readers and prompts are found by the network of
+the package (`marking.py`).
 
 Parts: `train-…`, and, never trained on: `synthesiser` (flite, a program and speakers of its own), `voices` (espeak-ng
 variants, and Festival voices; Finnish, Czech and English by other voices are trained on), `languages` (Italian,
@@ -23,7 +24,8 @@ from pathlib import Path
 import numpy as np
 import texts
 from augment import PAUSES, sped, spoilt, without_speech
-from recordings import recordings
+from readers import READERS, read
+from recordings import SPEAKERS, recordings
 from scipy import signal
 from synthesisers import FESTIVAL_VOICES, EspeakWish, Utterance, espeak, festival, flite
 from vectortalker.speech.audio import RATE
@@ -52,8 +54,10 @@ HELD_FESTIVAL = ("cmu_us_slt_arctic_hts", "lp_diphone", "suo_fi_lj_diphone", "cz
 FLITE_VOICES = ("awb", "rms", "slt")  # kal is Festival's
 N_ESPEAK, N_ESPEAK_ENGLISH = 200, 800  # lines a language
 N_FESTIVAL, N_FESTIVAL_ENGLISH = 180, 800  # lines a voice
+N_READ, N_READ_ENGLISH = 200, 600  # lines a voice
 SPOILT_SHARE = 0.5  # of training lines
 N_SPEECHLESS = 160
+FOUND = ("train-reader-", "train-recordings-")  # archives whose phones' times are found by a network
 N_HELD = 5  # lines a voice or language of the held-out parts
 
 
@@ -86,7 +90,8 @@ def _save_train(out: Path, seed: int) -> None:
     sources: dict[str, Callable[[random.Random], Iterable[Utterance]]] = {
         "espeak": lambda source: espeak(_train_wishes(source)),
         **{voice: partial(_festival, voice) for voice in TRAIN_FESTIVAL},
-        "recordings": lambda source: recordings(),
+        **{f"reader-{voice}": partial(_read, voice) for voice in READERS},
+        **{f"recordings-{language}": partial(_recorded, language) for language in SPEAKERS},
         "speechless": lambda source: _speechless(seed),
     }
     for name, speak in sources.items():
@@ -120,6 +125,17 @@ def _festival(voice: str, source: random.Random) -> list[Utterance]:
     language = FESTIVAL_VOICES[voice][0]
     n_lines = N_FESTIVAL_ENGLISH if language == "en" else N_FESTIVAL
     return festival(voice, [texts.varied_line(language, source) for _ in range(n_lines)])
+
+
+def _read(voice: str, source: random.Random) -> Iterator[Utterance]:
+    language = READERS[voice][0]
+    n_lines = N_READ_ENGLISH if language == "en" else N_READ
+    return read(voice, [texts.varied_line(language, source) for _ in range(n_lines)])
+
+
+def _recorded(language: str, source: random.Random) -> Iterator[Utterance]:
+    """The prompts as they are: nothing is drawn."""
+    return recordings(language)
 
 
 def _tuning(source: random.Random) -> Iterator[Utterance]:
@@ -224,7 +240,7 @@ def _save(path: Path, examples: Iterator[dict]) -> None:
 
 def _print_lengths(paths: list[Path]) -> None:
     """The table of `durations.py`: median (ms) and logarithm's deviation of each viseme, where times are exact."""
-    rows = np.concatenate([np.load(path)["blocks"] for path in paths if path.stem != "train-recordings"])
+    rows = np.concatenate([np.load(path)["blocks"] for path in paths if not path.stem.startswith(FOUND)])
     for number, name in enumerate(VISEMES):
         lengths = rows[rows[:, 3] == number, 2]
         print(f'"{name}": ({1000 * np.median(lengths):.0f}, {np.log(np.maximum(lengths, 0.01)).std():.2f})')
@@ -236,10 +252,8 @@ def _block_table(items: list[dict]) -> np.ndarray:
     def row(index: int, block: Block) -> tuple[float, ...]:
         return index, block.start, block.duration, VISEMES.index(block.viseme)
 
-    return np.array(
-        [row(index, block) for index, item in enumerate(items) for block in item["blocks"]],
-        np.float32,
-    )
+    rows = [row(index, block) for index, item in enumerate(items) for block in item["blocks"]]
+    return np.array(rows, np.float32).reshape(-1, 4)
 
 
 if __name__ == "__main__":

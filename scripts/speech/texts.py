@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import random
+import re
 from collections import defaultdict
 from functools import cache
 from pathlib import Path
@@ -15,8 +16,17 @@ WORD_LISTS = {
     "en": "american-english", "de": "ngerman", "fr": "french", "es": "spanish", "nl": "dutch", "pl": "polish",
     "pt": "portuguese", "ca": "catalan",
 }  # fmt: skip
+QUOTATIONS = Path("/usr/share/games/fortunes")  # Debian's collections of quotations
+COLLECTIONS = {
+    "en": ("people", "literature", "science", "wisdom", "love", "politics", "miscellaneous", "sports", "education"),
+    "de": ("de/zitate", "de/sprichworte", "de/sprueche"),
+    "es": ("es/proverbios.fortunes", "es/famosos.fortunes", "es/sabiduria.fortunes"),
+}
+QUOTATION_LENGTH = (25, 110)  # letters
+QUOTATION_SHARE = 0.5
 DICTIONARY_LENGTH = 14  # letters
 DICTIONARY_SHARE = 0.6  # of a line's words; the rest are common ones, of sentences
+_PLAIN = re.compile(r"[¿¡]?\w(?:[^\W\d_A-Z]|(?<=\W)[A-Z]|[ ,;:'-])*[.!?]")  # capitals only at words' heads
 ORDER = 2  # letters of context from which an invented word goes on
 WORD_LENGTH = (2, 11)  # letters
 
@@ -34,7 +44,9 @@ def line(language: str, random_source: random.Random) -> str:
 
 
 def varied_line(language: str, random_source: random.Random) -> str:
-    """A line of words as a dictionary has them, common ones between them; as `line` where there is no dictionary."""
+    """A sentence somebody has written, or words as a dictionary has them, or, where there are neither, as `line`."""
+    if language in COLLECTIONS and random_source.random() < QUOTATION_SHARE:
+        return random_source.choice(_quotations(language))
     if language not in WORD_LISTS or random_source.random() < SENTENCE_SHARE:
         return line(language, random_source)
     rare, common = _dictionary(language), " ".join(_sentences()[language]).split()
@@ -60,6 +72,17 @@ def _dictionary(language: str) -> list[str]:
     """Words without abbreviations. Raises FileNotFoundError without Debian's list."""
     words = (DICTIONARIES / WORD_LISTS[language]).read_text(encoding="utf-8").split()
     return [word for word in words if word.isalpha() and word[1:].islower() and len(word) <= DICTIONARY_LENGTH]
+
+
+@cache
+def _quotations(language: str) -> list[str]:
+    """Sentences without figures, abbreviations and brackets. Raises FileNotFoundError without Debian's collections."""
+    text = "\n%\n".join((QUOTATIONS / name).read_text(encoding="utf-8") for name in COLLECTIONS[language])
+    spoken = re.sub(r"^\s*--.*$", "%", text, flags=re.MULTILINE)  # names of authors
+    sentences = re.findall(r"(?:^|(?<=[.!?%])\s)([A-ZÄÖÜÁÉÍÓÚ¿¡][^.!?%]*[.!?])", spoken)
+    joined = [" ".join(sentence.split()) for sentence in sentences]
+    least, most = QUOTATION_LENGTH
+    return [one for one in joined if least <= len(one) <= most and _PLAIN.fullmatch(one)]
 
 
 def _invented(language: str, random_source: random.Random) -> str:

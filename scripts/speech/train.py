@@ -1,6 +1,6 @@
 """Trains the network on a corpus and writes it as ONNX, with its card.
 
-python scripts/speech/train.py CORPUS_FOLDER [--seed 0] [--epochs 20] [--start speech.pt] [--threads 1] [--out FOLDER]
+python scripts/speech/train.py CORPUS_FOLDER [--seed 0] [--epochs 26] [--start speech.pt] [--threads 1] [--out FOLDER]
 
 The weights are also kept in the corpus folder as `speech.pt`, to go on from. After each epoch the whole state is kept
 there as `state.pt`; a run that was cut short and is begun again with the same options goes on from it.
@@ -20,6 +20,7 @@ from distortion import at, distorted, noisy
 from network import FUTURE, PAST, SpeechNetwork
 from torch import Tensor
 from torch.nn import functional
+from vectortalker.speech.coarticulation import FPS
 from vectortalker.speech.features import N_MELS, normalised
 from vectortalker.speech.visemes import CHANNELS, VISEMES
 
@@ -61,6 +62,10 @@ def load(path: Path) -> list[Clip]:
         strict=True,
     )
     return [Clip(*part) for part in parts]
+
+
+def hours_of(clips: list[Clip]) -> float:
+    return sum(len(clip.classes) for clip in clips) / FPS / 3600
 
 
 def batch_of(clips: list[Clip], noises: list[Clip], generator: np.random.Generator) -> tuple[Tensor, Tensor, Tensor]:
@@ -165,14 +170,15 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("corpus", type=Path)
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--epochs", type=int, default=20)
+    parser.add_argument("--epochs", type=int, default=26)
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--start", type=Path, help="weights to go on from: speech.pt of an earlier run")
     parser.add_argument("--rate", type=float, default=PEAK_RATE, help="peak learning rate (default: %(default)s)")
     parser.add_argument("--out", type=Path, default=MODEL_FOLDER)
     options = parser.parse_args()
     torch.set_num_threads(options.threads)
-    clips = [clip for path in sorted(options.corpus.glob("train-*.npz")) for clip in load(path)]
+    sources = {path.stem.removeprefix("train-"): load(path) for path in sorted(options.corpus.glob("train-*.npz"))}
+    clips = [clip for source in sources.values() for clip in source]
     plan = Plan(options.seed, options.epochs, options.rate)
     torch.manual_seed(options.seed)
     network = SpeechNetwork()
@@ -194,9 +200,8 @@ def main() -> None:
         "future_frames": FUTURE,
         "data": {
             "script": "scripts/speech/corpus.py",
-            "hours": round(sum(len(clip.classes) for clip in clips) / 50 / 3600, 2),
-            "synthesisers": "espeak-ng 1.51 (12 languages, 51 variants), Festival 2.5 (9 voices of 6 languages)",
-            "recordings": "prompts of asterisk-core-sounds 1.6.1 in en, es, fr and ru (4 speakers)",
+            "programs": "espeak-ng 1.51, Festival 2.5, RHVoice 1.8.0, SVOX Pico 1.0, asterisk-core-sounds 1.6.1",
+            "hours": {name: round(hours_of(source), 2) for name, source in sources.items()},
         },
     }
     (options.out / "speech.json").write_text(json.dumps(card, indent=2) + "\n", encoding="utf-8")

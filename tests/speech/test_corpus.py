@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import sys
 from pathlib import Path
 
@@ -52,3 +53,37 @@ def test_spoilt_blocks_are_sped_up_and_lie_between_two_pauses(monkeypatch: pytes
     assert [block.viseme for block in moved] == ["sil", "aa", "PP", "sil"]
     assert [block.start for block in moved] == pytest.approx([0.0, 0.6, 0.8, 0.9])
     assert moved[-1].end == pytest.approx(1.5)
+
+
+def test_quotations_are_whole_sentences_without_authors_and_figures(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.syspath_prepend(str(SCRIPTS))
+    texts = __import__("texts")
+    (tmp_path / "wise").write_text(
+        "A city is a large community\nwhere people are lonesome together.\n\t\t-- Herbert Prochnow\n%\n"
+        "It took 25 years to become an overnight success. Nothing is so firmly believed as what we least know.\n%\n"
+        "Ask IBM what they think of it all, they will answer.\n%\nToo short.\n"
+    )
+    monkeypatch.setattr(texts, "QUOTATIONS", tmp_path)
+    monkeypatch.setitem(texts.COLLECTIONS, "xx", ("wise",))
+    assert texts._quotations("xx") == [
+        "A city is a large community where people are lonesome together.",
+        "Nothing is so firmly believed as what we least know.",
+    ]
+
+
+def test_american_words_are_visemes_of_festivals_phones(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(str(SCRIPTS))
+    pronunciation = __import__("pronunciation")
+    assert pronunciation._visemes("p ih t er") == ["PP", "I", "DD", "RR"]
+    assert pronunciation._visemes("s aa z z") == ["SS", "aa", "SS"]
+
+
+@pytest.mark.skipif(shutil.which("espeak-ng") is None, reason="needs espeak-ng")
+def test_speech_too_short_for_its_words_is_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(str(SCRIPTS))
+    marking = __import__("marking")
+    tone = 0.3 * np.sin(np.arange(32_000) / 5).astype(np.float32)
+    both = marking.marked("nobody", "de", ["Guten Morgen, lieber Peter.", "Ja."], [tone[:3200], tone])
+    assert [utterance.text for utterance in both] == ["Ja."]

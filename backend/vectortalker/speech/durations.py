@@ -18,9 +18,9 @@ REACH = 10  # frames a boundary may move either way: 200 ms
 WEIGHT = 1.0  # of the prior against the posteriors
 # Median length (ms) and deviation of its logarithm in the training corpus, which `scripts/speech/corpus.py` prints.
 _LENGTHS = {
-    "PP": (75, 0.40), "FF": (71, 0.33), "TH": (58, 0.55), "DD": (65, 0.46), "kk": (75, 0.41), "CH": (94, 0.34),
-    "SS": (82, 0.35), "nn": (69, 0.39), "RR": (65, 0.38), "aa": (86, 0.50), "E": (75, 0.51), "I": (72, 0.53),
-    "O": (88, 0.45), "U": (76, 0.50), "sil": (0, np.inf),
+    "PP": (76, 0.40), "FF": (72, 0.34), "TH": (49, 0.54), "DD": (66, 0.44), "kk": (76, 0.41), "CH": (97, 0.33),
+    "SS": (83, 0.36), "nn": (67, 0.39), "RR": (65, 0.40), "aa": (86, 0.48), "E": (68, 0.51), "I": (68, 0.51),
+    "O": (88, 0.45), "U": (73, 0.49), "sil": (0, np.inf),
 }  # fmt: skip
 DEVIATIONS = np.array([_LENGTHS[name][1] for name in VISEMES])
 MEDIANS = np.array([np.log(max(_LENGTHS[name][0], 1) / 1000 * FPS) for name in VISEMES])  # log frames
