@@ -1,5 +1,6 @@
 /** Starts the editor. */
 import { render } from 'preact';
+import { watchLeaving } from './api/leaving';
 import { startAutosave } from './project/autosave';
 import { loadRigModule } from './rig/rig';
 import { App } from './shell/App';
@@ -13,10 +14,11 @@ import { loadSamples } from './welcome/samples';
 import './styles/index.css';
 
 async function start(root: HTMLElement): Promise<void> {
+  watchLeaving();
   keepPreferences();
-  await startAutosave().catch(report); // before the first paint, so that a reload does not flash the first screen
   followSound();
   followChoices();
+  await startAutosave().catch(report); // before the first paint, so that a reload does not flash the first screen
   render(<App />, root);
   loadSamples().catch(report);
   loadSampleTracks().catch(report);

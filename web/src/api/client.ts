@@ -1,4 +1,5 @@
 /** Asks the server; every failure becomes a `RequestError` with the server's code and sentence. */
+import { isLeaving } from './leaving';
 import type { Faces, JobRequest, JobState, Landmarks, Portrait, Scene, VectorizeOptions, VideoRequest } from './schema';
 
 /** The server's own codes, and `offline` when it does not answer at all. */
@@ -51,6 +52,10 @@ export function postJob(portraitId: string, landmarks: Landmarks | null, options
   return request('api/jobs', { method: 'POST', body: JSON.stringify(body), headers: { 'content-type': 'application/json' } });
 }
 
+export function getJob(jobId: string, signal?: AbortSignal): Promise<JobState> {
+  return request(jobUrl(jobId), { signal });
+}
+
 export function getScene(jobId: string): Promise<Scene> {
   return request(`${jobUrl(jobId)}/scene`, {});
 }
@@ -89,6 +94,7 @@ export async function request<T>(url: string, init: RequestInit): Promise<T> {
 export async function answered(url: string, init: RequestInit): Promise<Response> {
   const response = await fetch(url, init).catch((reason: unknown) => {
     if (reason instanceof DOMException && reason.name === 'AbortError') throw reason;
+    if (isLeaving()) return new Promise<never>(() => {}); // the work is kept as it stands, to go on after a reload
     throw new RequestError('offline', 'The server does not answer. What is open here stays and can be edited, played and exported.');
   });
   if (!response.ok) throw await refusal(response);

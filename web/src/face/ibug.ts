@@ -25,6 +25,8 @@ export const GROUPS: readonly Group[] = [
 ];
 
 export const OUTER_EYE_CORNERS = [36, 45] as const;
+export const NOSE_TIP = 30;
+export const MOUTH_CORNERS = [48, 54] as const;
 
 /** Landmark indices of a group, in order. */
 export function indicesOf(group: Group): number[] {

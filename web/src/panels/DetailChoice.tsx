@@ -4,9 +4,9 @@ import type { VectorizeOptions } from '../api/schema';
 import { preset } from '../store/state';
 
 const PRESETS: readonly { readonly name: VectorizeOptions['preset']; readonly label: string; readonly meaning: string }[] = [
-  { name: 'draft', label: 'Draft', meaning: 'a few seconds, coarse' },
-  { name: 'standard', label: 'Standard', meaning: 'about a minute, 500 paths' },
-  { name: 'fine', label: 'Fine', meaning: 'some minutes, more paths' },
+  { name: 'draft', label: 'Draft', meaning: 'Coarse, in a few seconds' },
+  { name: 'standard', label: 'Standard', meaning: '500 shapes, in about a minute' },
+  { name: 'fine', label: 'Fine', meaning: 'More shapes, in some minutes' },
 ];
 
 export function DetailChoice(): JSX.Element {
@@ -22,6 +22,8 @@ export function DetailChoice(): JSX.Element {
     </fieldset>
   );
 }
+
+export const detailMeaning = (name: VectorizeOptions['preset']) => PRESETS.find((preset) => preset.name === name)?.meaning ?? '';
 
 function choose(name: VectorizeOptions['preset']): void {
   preset.value = name;

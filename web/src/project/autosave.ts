@@ -1,6 +1,7 @@
 /** Keeps the work in the browser, a moment after every change, and brings it back after a reload, undo included. */
 import { effect } from '@preact/signals';
-import type { JobState, Landmarks } from '../api/schema';
+import { resumeHearing } from '../speech/listening';
+import { choices, hearing, textToSpeak } from '../speech/state';
 import { tell } from '../store/notices';
 import { resumeOpening } from '../store/opening';
 import { clips, draft, history, job, portrait, scene, session, tracedLandmarks } from '../store/state';
@@ -26,7 +27,7 @@ export async function startAutosave(): Promise<void> {
   let isFirst = true;
   effect(() => {
     snapshot();
-    if (!isFirst) timer ??= setTimeout(keep, DELAY_MILLISECONDS);
+    if (!isFirst) timer ??= setTimeout(keep, session.value.kind === 'uploading' ? 0 : DELAY_MILLISECONDS);
     isFirst = false;
   });
   const keepBeforeLeaving = () => timer !== undefined && keep();
@@ -42,25 +43,32 @@ function tellThatItFailed(error: unknown): void {
   tell({ kind: 'error', text: `The browser could not keep your work (${why.replace(/\.$/, '')}). Save it as a file before you leave.` });
 }
 
-/** The work as it stands; null on the first screen. Unfinished drags are not kept. */
+/** The work as it stands; null where there is none. Unfinished drags are not kept. */
 function snapshot(): Work | null {
-  const open = portrait.value;
-  if (!open || session.value.kind === 'welcome') return null;
+  const now = session.value;
+  if (now.kind === 'welcome' && !now.behind) return null;
   return {
-    portrait: open,
+    session: now,
+    portrait: portrait.value,
     scene: scene.value,
     history: history.value,
-    job: jobSnapshot(job.value, tracedLandmarks.value),
+    job: jobPart({ state: job.value, landmarks: tracedLandmarks.value }),
     clips: clips.value,
+    speech: speechPart({ hearing: hearing.value, choices: choices.value, text: textToSpeak.value }),
   };
 }
 
-let lastJob: Work['job'] = { state: null, landmarks: null };
+const jobPart = keptWhileEqual<Work['job']>();
+const speechPart = keptWhileEqual<NonNullable<Work['speech']>>();
 
-/** The same object while nothing changed, so that it is not written again. */
-function jobSnapshot(state: JobState | null, landmarks: Landmarks | null): Work['job'] {
-  if (lastJob.state !== state || lastJob.landmarks !== landmarks) lastJob = { state, landmarks };
-  return lastJob;
+/** Gives the object of the call before while every member is the same, so that it is not written again. */
+function keptWhileEqual<T extends object>(): (next: T) => T {
+  let last: T | null = null;
+  return (next) => {
+    const isSame = last !== null && (Object.keys(next) as (keyof T)[]).every((name) => last?.[name] === next[name]);
+    last = isSame && last ? last : next;
+    return last;
+  };
 }
 
 function show(work: Work): void {
@@ -69,8 +77,14 @@ function show(work: Work): void {
   history.value = work.history;
   clips.value = work.clips;
   draft.value = null;
-  session.value = { kind: 'editing' };
-  if (work.job.state) resumeTracing(work.job.state, work.job.landmarks);
-  else if (!work.scene) void resumeOpening();
-  else tracedLandmarks.value = work.job.landmarks;
+  session.value = work.session;
+  tracedLandmarks.value = work.job.landmarks;
+  if (work.speech) {
+    choices.value = work.speech.choices;
+    textToSpeak.value = work.speech.text;
+    hearing.value = work.speech.hearing;
+  }
+  if (work.job.state) void resumeTracing(work.job.state, work.job.landmarks);
+  else void resumeOpening();
+  void resumeHearing();
 }

@@ -5,23 +5,30 @@
  */
 import { type DBSchema, type IDBPDatabase, type IDBPTransaction, openDB } from 'idb';
 import type { JobState, Landmarks, Scene } from '../api/schema';
+import type { Choices } from '../speech/speechTrack';
+import type { Hearing } from '../speech/state';
 import type { Edit } from '../store/edit';
 import type { History } from '../store/history';
-import type { Clip, PortraitPicture } from '../store/state';
+import type { Clip, PortraitPicture, Session } from '../store/state';
 
 export type Work = {
-  readonly portrait: PortraitPicture;
+  readonly session: Session;
+  /** Null while the picture is on its way to the server. */
+  readonly portrait: PortraitPicture | null;
   readonly scene: Scene | null;
   readonly history: History<Edit>;
   readonly job: { readonly state: JobState | null; readonly landmarks: Landmarks | null };
   readonly clips: readonly Clip[];
+  /** What is under way and typed in the speech panel. */
+  readonly speech: { readonly hearing: Hearing | null; readonly choices: Choices; readonly text: string } | null;
 };
 type Part = keyof Work;
-const PARTS: readonly Part[] = ['portrait', 'scene', 'history', 'job', 'clips'];
+const PARTS: readonly Part[] = ['session', 'portrait', 'scene', 'history', 'job', 'clips', 'speech'];
 
-/** Older stores numbered their records; the oldest have no clips. */
+/** Older stores numbered their records and have fewer parts. */
 type Key = string | number;
-type Current = Readonly<Record<Exclude<Part, 'clips'>, Key>> & { readonly clips?: Key };
+type LaterPart = 'session' | 'clips' | 'speech';
+type Current = Readonly<Record<Exclude<Part, LaterPart>, Key>> & { readonly [part in LaterPart]?: Key };
 
 type Schema = DBSchema & {
   parts: { key: Key; value: Work[Part] };
@@ -63,15 +70,17 @@ export class WorkStore {
   async read(): Promise<Work | null> {
     const keys = await this.database.get('pointer', 'current');
     if (!keys) return null;
-    const part = async (key: Key) => await this.database.get('parts', key);
+    const part = async (key: Key | undefined) => (key === undefined ? undefined : await this.database.get('parts', key));
     const work = {
+      session: (await part(keys.session)) ?? { kind: 'editing' },
       portrait: await part(keys.portrait),
       scene: await part(keys.scene),
       history: await part(keys.history),
       job: await part(keys.job),
-      clips: keys.clips === undefined ? [] : await part(keys.clips),
+      clips: (await part(keys.clips)) ?? [],
+      speech: (await part(keys.speech)) ?? null,
     } as Work;
-    if (!work.portrait || !work.history) return null;
+    if (!work.history) return null;
     this.stored = { work, keys };
     return work;
   }

@@ -6,7 +6,7 @@ import { openProjectFile, saveProject } from '../project/files';
 import { redoStep, undoStep } from '../store/editing';
 import { nextTheme } from '../store/looking';
 import { report } from '../store/notices';
-import { closePortrait, rename } from '../store/opening';
+import { leavePortrait, rename } from '../store/opening';
 import { canRedo, canUndo, documentName, scene, session, shortcutsShown, theme } from '../store/state';
 import { Button, IconButton } from './Button';
 import type { IconName } from './icons';
@@ -18,25 +18,34 @@ export function TopBar(): JSX.Element {
   const isOpen = session.value.kind !== 'welcome';
   return (
     <header class="top-bar">
-      <button type="button" class="brand" title="Start with another portrait" onClick={closePortrait} disabled={!isOpen}>
+      <button
+        type="button"
+        class="brand"
+        aria-label="VectorTalker: start with another portrait"
+        title="Start with another portrait"
+        onClick={leavePortrait}
+        disabled={!isOpen}
+      >
         <BrandMark />
-        VectorTalker
+        <span class="brand-name">VectorTalker</span>
       </button>
       {isOpen && <h1 class="visually-hidden">{documentName.value}</h1>}
       {isOpen && <NameAndSteps />}
       <div class="spacer" />
-      <IconButton icon={THEME_ICONS[theme.value]} label={`Theme: ${theme.value}`} onClick={nextTheme} />
-      <IconButton
-        icon="keyboard"
-        label="Keyboard shortcuts"
-        keys="?"
-        onClick={() => {
-          shortcutsShown.value = true;
-        }}
-      />
-      <Button emphasis="quiet" onClick={() => pickFile(PROJECTS, (file) => openProjectFile(file).catch(report))}>
-        Open
-      </Button>
+      <div class="row apart">
+        <IconButton icon={THEME_ICONS[theme.value]} label={`Theme: ${theme.value}`} onClick={nextTheme} />
+        <IconButton
+          icon="keyboard"
+          label="Keyboard shortcuts"
+          keys="?"
+          onClick={() => {
+            shortcutsShown.value = true;
+          }}
+        />
+        <Button emphasis="quiet" onClick={() => pickFile(PROJECTS, (file) => openProjectFile(file).catch(report))}>
+          Open
+        </Button>
+      </div>
       {isOpen && (
         <>
           <IconButton icon="trash" label="Delete this portrait" onClick={offerDeletion} />

@@ -17,6 +17,7 @@ import {
   mirrored,
   panel,
   scene,
+  session,
   shortcutsShown,
   singlePoint,
   track,
@@ -131,7 +132,7 @@ const BY_KEYS = new Map(
 export function listenToShortcuts(): () => void {
   let spaceDrag = false;
   const down = (event: KeyboardEvent) => {
-    if (isTyping(event.target) || event.altKey) return;
+    if (isTyping(event.target) || event.altKey || (session.value.kind === 'welcome' && event.key !== '?')) return;
     const keys = combinationOf(event);
     if (keys === ' ') {
       if (isButton(event.target)) return;

@@ -9,7 +9,7 @@ import { speakText, takeSound } from './listening';
 import { meter, recorder, startRecording, stopRecording } from './recorder';
 import { clip, sound } from './sound';
 import { SOUNDS } from './soundFiles';
-import { listening } from './state';
+import { listening, textToSpeak } from './state';
 
 type Source = 'file' | 'microphone' | 'text';
 
@@ -20,7 +20,6 @@ const SOURCES: readonly { readonly name: Source; readonly label: string }[] = [
 ];
 
 const source = signal<Source>('file');
-const text = signal('');
 
 export function SoundSource({ disabled }: { readonly disabled: boolean }): JSX.Element {
   return (
@@ -134,20 +133,20 @@ function FromText({ disabled }: { readonly disabled: boolean }): JSX.Element {
       class="sound-text"
       onSubmit={(event) => {
         event.preventDefault();
-        speakText(text.value).catch(report);
+        speakText(textToSpeak.value).catch(report);
       }}
     >
       <textarea
         rows={3}
         aria-label="Text to speak"
         placeholder="Hello, I am a portrait made of curves."
-        value={text.value}
+        value={textToSpeak.value}
         disabled={disabled}
         onInput={(event) => {
-          text.value = event.currentTarget.value;
+          textToSpeak.value = event.currentTarget.value;
         }}
       />
-      <button type="submit" class="button primary" disabled={disabled || isBusy || !text.value.trim()}>
+      <button type="submit" class="button primary" disabled={disabled || isBusy || !textToSpeak.value.trim()}>
         Speak it
       </button>
     </form>

@@ -1,19 +1,19 @@
 /** Actions from a sound to a track: a rough one at once, then what the server hears in it. */
-import { RequestError } from '../api/client';
+import { getJob, RequestError } from '../api/client';
 import { jobDone } from '../api/events';
-import type { Span, Track, VisemeBlock } from '../api/schema';
+import type { Span, Track } from '../api/schema';
 import { getRecordingAudio, getSpeechResult, postRecording, postSpeech, postSpoken } from '../api/speech';
 import { withTrackReplaced } from '../store/edit';
 import { amend, apply } from '../store/editing';
-import { announce, FileError, report } from '../store/notices';
-import { track } from '../store/state';
+import { announce, FileError, report, tell } from '../store/notices';
+import { history, track } from '../store/state';
 import { useTrack } from '../store/tracks';
 import { keepClip, nameClip } from './clips';
 import { roughTrack } from './envelope';
 import { takeUpChoices } from './retracking';
 import { clip, soundOf } from './sound';
 import { audioOf, blocksOf, choicesOf, type SpeechTrack, tierOf } from './speechTrack';
-import { choices, keepingChoices, type Listening, listening } from './state';
+import { choices, type Hearing, hearing, keepingChoices, type Listening, listening, pendingBlocks } from './state';
 
 let stopper = new AbortController();
 
@@ -46,6 +46,26 @@ export function listenToPart(part: Span, words: string): Promise<void> {
   });
 }
 
+/** Goes on where a reload came before the end: with the server's work on it, else from its beginning. */
+export async function resumeHearing(): Promise<void> {
+  const asked = hearing.value;
+  const base = history.value.present.tracks.find(({ name }) => name === asked?.trackName);
+  if (!asked || !base) return rest();
+  await attempt({ kind: 'sending' }, async (signal) => {
+    const isKnown = asked.jobId !== null && (await isJobKnown(asked.jobId, signal));
+    await hear(base, isKnown ? asked : { ...asked, jobId: null }, signal);
+  });
+}
+
+async function isJobKnown(jobId: string, signal: AbortSignal): Promise<boolean> {
+  try {
+    return (await getJob(jobId, signal)).phase !== 'cancelled';
+  } catch (error) {
+    if (error instanceof RequestError && error.code === 'not_found') return false;
+    throw error;
+  }
+}
+
 /** Stops whatever is under way; the rough track stays. */
 export function cancelListening(): void {
   stopper.abort();
@@ -54,6 +74,7 @@ export function cancelListening(): void {
 
 function rest(): void {
   listening.value = { kind: 'idle' };
+  hearing.value = null;
   if (choicesOf(track.value)) takeUpChoices(); // what was chosen meanwhile; tracks of other programs stay as they came
 }
 
@@ -92,19 +113,31 @@ function typedTranscript(): string {
   return transcript === choicesOf(track.value)?.transcript ? '' : transcript;
 }
 
-type Heard = { readonly transcript: string; readonly part?: Span; readonly visemes?: VisemeBlock[] };
+function listen(base: Track, what: Hearing['what'], signal: AbortSignal): Promise<void> {
+  return hear(base, { trackName: base.name, what, choices: choices.value, jobId: null }, signal);
+}
 
-async function listen(base: Track, what: Heard, signal: AbortSignal): Promise<void> {
-  const asked = choices.value;
-  const request = { ...what, transcript: what.transcript.trim() || null, options: asked.options };
-  const job = await withRecording(signal, (recording_id) => postSpeech({ recording_id, ...request }, signal));
-  await jobDone(job.id, signal, ({ phase, stage, progress }) => {
+async function hear(base: Track, asked: Hearing, signal: AbortSignal): Promise<void> {
+  hearing.value = asked;
+  const jobId = asked.jobId ?? (await sent(asked, signal));
+  signal.throwIfAborted();
+  hearing.value = { ...asked, jobId };
+  await jobDone(jobId, signal, ({ phase, stage, progress }) => {
     if (!signal.aborted) listening.value = { kind: 'listening', stage: phase === 'queued' ? 'waiting' : stage, progress };
   });
-  const { track: heard, visemes, loudness, tier } = await getSpeechResult(job.id, signal);
+  const { track: heard, visemes, loudness, tier } = await getSpeechResult(jobId, signal);
   const { name } = base;
-  keepingChoices(() => place(base, { ...heard, name, visemes, loudness, tier, audio: audioOf(base) ?? undefined, choices: asked }));
+  if (pendingBlocks.value || !history.value.present.tracks.includes(base)) return tell({ kind: 'advice', text: overtaken(name) });
+  keepingChoices(() => place(base, { ...heard, name, visemes, loudness, tier, audio: audioOf(base) ?? undefined, choices: asked.choices }));
   announce(`The lips follow ${name}`);
+}
+
+const overtaken = (name: string) => `${name} was edited while it was being listened to: the edit stays, what was heard is dropped.`;
+
+/** The server's name of the job. */
+async function sent({ what, choices: { options } }: Hearing, signal: AbortSignal): Promise<string> {
+  const request = { ...what, transcript: what.transcript.trim() || null, options };
+  return (await withRecording(signal, (recording_id) => postSpeech({ recording_id, ...request }, signal))).id;
 }
 
 /** A better track takes the place of the rough one without a step of its own; any other change is one. */

@@ -1,6 +1,6 @@
 /** What the speech panel and its strip of the timeline show beside the document. Only the actions beside it write these signals. */
 import { computed, effect, signal } from '@preact/signals';
-import type { Span } from '../api/schema';
+import type { Span, SpeechRequest } from '../api/schema';
 import { track } from '../store/state';
 import type { Blocks } from './blocks';
 import { blocksOf, type Choices, choicesOf, STANDARD_CHOICES } from './speechTrack';
@@ -13,6 +13,18 @@ export type Listening =
 
 export const listening = signal<Listening>({ kind: 'idle' });
 
+/** What the server has been asked to listen to for a track; kept, so that it goes on after a reload. */
+export type Hearing = {
+  readonly trackName: string;
+  readonly what: Pick<SpeechRequest, 'part' | 'visemes'> & { readonly transcript: string };
+  readonly choices: Choices;
+  /** Null until the server has taken it. */
+  readonly jobId: string | null;
+};
+export const hearing = signal<Hearing | null>(null);
+
+/** Typed, to be spoken by the server. */
+export const textToSpeak = signal('');
 /** How the next track is made; that of the track on the timeline, where it tells. */
 export const choices = signal<Choices>(STANDARD_CHOICES);
 

@@ -1,6 +1,8 @@
 /** Actions that bring a portrait onto the stage: picture, faces, landmarks, job. */
 import { getFaces, getPortraitImage, postPortrait } from '../api/client';
 import type { Face, Landmarks, Portrait } from '../api/schema';
+import { groupNamed, indicesOf, MOUTH_CORNERS, NOSE_TIP } from '../face/ibug';
+import { centroid } from '../face/vector';
 import { cancelListening } from '../speech/listening';
 import { editOf, withLandmarks } from './edit';
 import { apply } from './editing';
@@ -13,7 +15,8 @@ let opening = new AbortController();
 
 /** From a picture to a running job. A newer picture takes over from one that is still being opened. */
 export async function openPicture(picture: Blob, name: string): Promise<void> {
-  const { signal } = startOpening();
+  clearStage();
+  const { signal } = opening;
   session.value = { kind: 'uploading', name, picture };
   try {
     const posted = await postPortrait(picture, name, signal);
@@ -22,15 +25,17 @@ export async function openPicture(picture: Blob, name: string): Promise<void> {
     await findFaces(posted, signal);
   } catch (error) {
     if (signal.aborted) return;
-    session.value = portrait.value ? { kind: 'editing' } : { kind: 'welcome' };
+    session.value = portrait.value ? { kind: 'editing' } : { kind: 'welcome', behind: null };
     report(error);
   }
 }
 
-/** Goes on where a reload came before the tracing: with the landmarks that were chosen, else from the search for a face. */
+/** Goes on where a reload came before the tracing: sends the picture again, looks for the face, or traces. */
 export async function resumeOpening(): Promise<void> {
+  const now = session.value;
+  if (now.kind === 'uploading') return openPicture(now.picture, now.name);
   const open = portrait.value;
-  if (!open) return;
+  if (!open || scene.value || (now.kind !== 'finding' && now.kind !== 'editing')) return;
   if (edit.value.landmarks) return startTracing();
   if (open.id === null) return startPinning(true);
   session.value = { kind: 'finding' };
@@ -44,10 +49,24 @@ export async function resumeOpening(): Promise<void> {
   }
 }
 
-/** Back to the first screen. */
+/** To the first screen, from where `returnToPortrait` leads back; what is only on its way to the stage is dropped. */
+export function leavePortrait(): void {
+  const now = session.value;
+  if (now.kind === 'welcome') return;
+  if (now.kind === 'uploading' || now.kind === 'finding') return closePortrait();
+  playing.value = false;
+  dismiss();
+  session.value = { kind: 'welcome', behind: now };
+}
+
+export function returnToPortrait(): void {
+  if (session.value.kind === 'welcome' && session.value.behind) session.value = session.value.behind;
+}
+
+/** To the first screen, with nothing kept. */
 export function closePortrait(): void {
-  startOpening();
-  session.value = { kind: 'welcome' };
+  clearStage();
+  session.value = { kind: 'welcome', behind: null };
 }
 
 /** One of several faces was picked. */
@@ -65,10 +84,12 @@ export async function useFit(landmarks: Landmarks | null): Promise<void> {
   if (isFirst) await startTracing();
 }
 
-/** Lays five pins on the portrait, to be dragged onto the face. */
+/** Lays five pins on the portrait, where its landmarks are or to be dragged onto the face. */
 export function startPinning(noFaceFound: boolean): void {
   const open = portrait.value;
-  if (open) session.value = { kind: 'pinning', pins: middlePins(open.width, open.height), noFaceFound };
+  if (!open) return;
+  const { landmarks } = edit.value;
+  session.value = { kind: 'pinning', pins: landmarks ? pinsOf(landmarks) : middlePins(open.width, open.height), noFaceFound };
 }
 
 export function movePin(index: number, x: number, y: number): void {
@@ -81,11 +102,6 @@ export function movePin(index: number, x: number, y: number): void {
 /** Leaves the pins of a portrait that is traced already. */
 export function stopPinning(): void {
   session.value = { kind: 'editing' };
-}
-
-function startOpening(): AbortController {
-  clearStage();
-  return opening;
 }
 
 /** Takes everything off the stage; what is still being opened or traced is stopped. */
@@ -156,6 +172,13 @@ function middlePins(width: number, height: number): Pins {
   const unit = Math.min(width, height);
   const at = (x: number, y: number): [number, number] => [width / 2 + x * unit, height * 0.45 + y * unit];
   return [at(-0.11, -0.08), at(0.11, -0.08), at(0, 0.03), at(-0.08, 0.13), at(0.08, 0.13)];
+}
+
+function pinsOf({ points }: Landmarks): Pins {
+  const [left, right] = [groupNamed('left_eye'), groupNamed('right_eye')].map((eye) =>
+    centroid(indicesOf(eye).map((index) => points[index])),
+  );
+  return [left, right, points[NOSE_TIP], points[MOUTH_CORNERS[0]], points[MOUTH_CORNERS[1]]];
 }
 
 const nameWithoutEnding = (name: string) => name.replace(/\.[^.]{1,5}$/, '');

@@ -28,8 +28,10 @@ export type Clip = {
   readonly data: Blob;
 };
 
-export type Session =
-  | { readonly kind: 'welcome' }
+/** Behind the first screen may wait what a portrait that was left goes on with. */
+export type Session = { readonly kind: 'welcome'; readonly behind: Workplace | null } | Workplace;
+
+export type Workplace =
   | { readonly kind: 'uploading'; readonly name: string; readonly picture: Blob }
   | { readonly kind: 'finding' }
   | { readonly kind: 'choosing'; readonly faces: Faces }
@@ -45,7 +47,7 @@ export type Notice = {
   readonly action?: { readonly label: string; readonly run: () => void };
 };
 
-export const session = signal<Session>({ kind: 'welcome' });
+export const session = signal<Session>({ kind: 'welcome', behind: null });
 export const portrait = signal<PortraitPicture | null>(null);
 export const scene = signal<Scene | null>(null);
 export const history = signal<History<Edit>>(historyOf(editOf('Untitled', null)));
@@ -77,6 +79,8 @@ export const looping = signal(true);
 export const timeSeconds = signal(0);
 
 export const panel = signal<'layers' | 'pose' | 'speech'>('pose');
+/** On narrow screens: only the tabs of the panel are there. */
+export const panelFolded = signal(false);
 export const shortcutsShown = signal(false);
 export const notice = signal<Notice | null>(null);
 /** Read out by screen readers. */

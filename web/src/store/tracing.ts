@@ -1,5 +1,5 @@
 /** Actions on the job that turns the portrait into a scene: start, follow, keep what is there, cancel. */
-import { cancelJob, finishJob, getScene, postJob, postPortrait, STANDARD_OPTIONS } from '../api/client';
+import { cancelJob, finishJob, getJob, getScene, postJob, postPortrait, RequestError, STANDARD_OPTIONS } from '../api/client';
 import { followJob, hasEnded } from '../api/events';
 import type { JobState, Landmarks } from '../api/schema';
 import { announce, report, tell } from './notices';
@@ -20,12 +20,15 @@ export async function startTracing(): Promise<void> {
   }
 }
 
-/** Takes up a job again after a reload. */
-export function resumeTracing(state: JobState, landmarks: Landmarks | null): void {
-  if (hasEnded(state)) {
-    job.value = state;
-    tracedLandmarks.value = landmarks;
-  } else follow(state, landmarks);
+/** Takes up a job again after a reload; one that the server has dropped starts anew. */
+export async function resumeTracing(state: JobState, landmarks: Landmarks | null): Promise<void> {
+  job.value = state;
+  tracedLandmarks.value = landmarks;
+  if (hasEnded(state)) return;
+  follow(state, landmarks);
+  await getJob(state.id).catch((error: unknown) => {
+    if (error instanceof RequestError && error.code === 'not_found' && job.value?.id === state.id) void startTracing();
+  });
 }
 
 /** Stops following, for another portrait; the server's work is cancelled. */

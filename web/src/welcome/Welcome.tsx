@@ -1,10 +1,13 @@
 /** The first screen: a talking example, one sentence, one place to put a portrait, six samples, and what happens to the picture. */
 import type { JSX } from 'preact';
-import { DetailChoice } from '../panels/DetailChoice';
+import { DetailChoice, detailMeaning } from '../panels/DetailChoice';
 import { Button } from '../shell/Button';
 import { Icon } from '../shell/icons';
 import { PICTURES, pickFile } from '../shell/pickFile';
+import { useObjectUrl } from '../shell/useObjectUrl';
 import { report, tell } from '../store/notices';
+import { returnToPortrait } from '../store/opening';
+import { documentName, portrait, preset, session } from '../store/state';
 import { dragging, openClipboard, openFile, openSample } from './incoming';
 import { type Sample, samples } from './samples';
 
@@ -20,6 +23,7 @@ export function Welcome(): JSX.Element {
           </p>
         </div>
       </header>
+      <Return />
       <DropZone />
       <Samples />
       <p class="quiet small-print">
@@ -40,6 +44,19 @@ function Example(): JSX.Element {
   );
 }
 
+/** The portrait that was left for the first screen. */
+function Return(): JSX.Element | null {
+  const picture = useObjectUrl(portrait.value?.picture ?? null);
+  const now = session.value;
+  if (now.kind !== 'welcome' || !now.behind) return null;
+  return (
+    <button type="button" class="button return" onClick={returnToPortrait}>
+      {picture && <img src={picture} alt="" />}
+      Go on with “{documentName.value}”
+    </button>
+  );
+}
+
 function DropZone(): JSX.Element {
   return (
     <section class={dragging.value ? 'drop-zone over' : 'drop-zone'} aria-label="Open a portrait">
@@ -52,7 +69,7 @@ function DropZone(): JSX.Element {
         <Button onClick={() => void paste()}>Paste</Button>
       </div>
       <DetailChoice />
-      <p class="quiet">PNG, JPEG, WebP, GIF, BMP or TIFF, up to 25 MB</p>
+      <p class="quiet">{detailMeaning(preset.value)} · PNG, JPEG, WebP, GIF, BMP or TIFF, up to 25 MB</p>
     </section>
   );
 }
