@@ -8,7 +8,7 @@ import { hoveredTarget, view } from './viewState';
 
 export function Hint(): JSX.Element | null {
   const isStopped = useComputed(() => (standing.value?.limit.triangles.length ?? 0) > 0).value;
-  if (session.value.kind === 'welcome' || session.value.kind === 'uploading') return null;
+  if (session.value.kind !== 'editing' && session.value.kind !== 'finding') return null;
   return (
     <p class="hint">
       <span class="numeric">{Math.round(view.value.scale * 100)} %</span>

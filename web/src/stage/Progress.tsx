@@ -3,7 +3,7 @@ import type { JSX } from 'preact';
 import { hasEnded } from '../api/events';
 import type { JobState } from '../api/schema';
 import { Button } from '../shell/Button';
-import { canAskToNotify, notifyAtEnd, notifying } from '../store/absence';
+import { notifyAtEnd, notifying } from '../store/absence';
 import { report } from '../store/notices';
 import { connection, job, scene, session } from '../store/state';
 import { cancelTracing, keepWhatIsThere } from '../store/tracing';
@@ -25,11 +25,9 @@ export function Progress(): JSX.Element | null {
         <Button emphasis="quiet" onClick={() => void cancelTracing()}>
           Cancel
         </Button>
-        {canAskToNotify() && (
-          <Button emphasis="quiet" disabled={notifying.value} onClick={() => void notifyAtEnd().catch(report)}>
-            {notifying.value ? 'Will notify you' : 'Notify me'}
-          </Button>
-        )}
+        <Button emphasis="quiet" disabled={notifying.value} onClick={() => void notifyAtEnd().catch(report)}>
+          {notifying.value ? 'Will notify you' : 'Notify me'}
+        </Button>
       </div>
       <progress class="progress-line" max={1} value={state.progress} aria-label="Progress of the tracing" />
     </section>

@@ -8,6 +8,7 @@ import { comparing, mirrored, playing, portrait, scene, session, tool } from '..
 import { FaceBoxes } from './FaceBoxes';
 import { Hint } from './Hint';
 import { listenToHandleKeys } from './handleKeys';
+import { Insets } from './Insets';
 import { Pins } from './Pins';
 import { Progress } from './Progress';
 import { listenToPointers } from './pointer';
@@ -52,6 +53,7 @@ export function Stage(): JSX.Element {
       <UploadPreview />
       <FaceBoxes />
       <Pins />
+      <Insets />
       <StageOptions />
       <Hint />
       <div class="stage-messages" data-own-pointer>

@@ -3,17 +3,16 @@ import { GROUPS, groupOf } from '../face/ibug';
 import type { Xy } from '../face/vector';
 import { withoutOffsets } from '../store/edit';
 import { apply, settle, sketch } from '../store/editing';
-import { edit, mirrored, singlePoint, softRadius, tool } from '../store/state';
+import { edit, tool } from '../store/state';
 import { describeHandle } from './overlay';
 import { standingPoints } from './posing';
+import { REACH } from './reach';
 import { dragLandmark } from './tools/poseTool';
 import { correctLandmark } from './tools/restTool';
 
 const NUDGES: Readonly<Record<string, Xy>> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 const NUDGE = 0.5; // portrait pixels
 const LONG_NUDGE = 5;
-
-const REACH = { softRadius: () => softRadius.value, single: () => singlePoint.value, mirrored: () => mirrored.value };
 
 /** Listens on the overlay until the returned function is called. */
 export function listenToHandleKeys(overlay: SVGSVGElement): () => void {

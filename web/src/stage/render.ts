@@ -97,10 +97,11 @@ function drawOverlay(overlay: Overlay): void {
   const now = standing.value;
   const current = rig.value;
   const isEditing = session.value.kind === 'editing' && !playing.value;
+  const isDragged = draft.value !== null && hoveredTarget.value !== null;
   const shown = {
     points: isEditing && landmarksShown.value && landmarks !== null,
     mesh: isEditing && meshShown.value && current !== null,
-    ghost: isEditing && ghostShown.value && tool.value !== 'rest' && landmarks !== null,
+    ghost: isEditing && (ghostShown.value || isDragged) && tool.value !== 'rest' && landmarks !== null,
   };
   overlay.draw({
     view: view.value,

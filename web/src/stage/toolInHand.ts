@@ -1,19 +1,8 @@
 /** The four tools, tied to the state they work on. */
 import { signal } from '@preact/signals';
-import {
-  edit,
-  landmarksShown,
-  mirrored,
-  playing,
-  portrait,
-  session,
-  singlePoint,
-  softRadius,
-  type ToolName,
-  tool,
-  tracedLandmarks,
-} from '../store/state';
+import { edit, landmarksShown, playing, portrait, session, type ToolName, tool, tracedLandmarks } from '../store/state';
 import { standingPoints } from './posing';
+import { REACH } from './reach';
 import type { Tool } from './tools/gesture';
 import { panTool } from './tools/panTool';
 import { poseTool } from './tools/poseTool';
@@ -28,12 +17,11 @@ export const panning = signal(false);
 const NO_PORTRAIT: Size = { width: 1, height: 1 };
 const portraitSize = () => portrait.value ?? NO_PORTRAIT;
 const pan = panTool(portraitSize);
-const reach = { softRadius: () => softRadius.value, single: () => singlePoint.value, mirrored: () => mirrored.value };
 const scale = () => view.value.scale;
 
 const TOOLS: Readonly<Record<ToolName, Tool>> = {
-  pose: poseTool({ ...reach, pan, scale, points: () => standingPoints.value, handlesShown: () => landmarksShown.value && !playing.value }),
-  rest: restTool({ ...reach, pan, scale, landmarks: () => edit.value.landmarks, detected: () => tracedLandmarks.value }),
+  pose: poseTool({ ...REACH, pan, scale, points: () => standingPoints.value, handlesShown: () => landmarksShown.value && !playing.value }),
+  rest: restTool({ ...REACH, pan, scale, landmarks: () => edit.value.landmarks, detected: () => tracedLandmarks.value }),
   pan,
   zoom: zoomTool(portraitSize, () => stageSize.value),
 };

@@ -52,7 +52,7 @@ export function correctLandmark(edit: Edit, index: number, moved: Xy, alone: boo
   return withLandmarks(edit, { ...landmarks, points: landmarks.points.map((point, k) => add(point, displacements[k])) });
 }
 
-function correctIris(edit: Edit, index: 0 | 1, moved: Xy): Edit {
+export function correctIris(edit: Edit, index: 0 | 1, moved: Xy): Edit {
   const irises = edit.landmarks?.irises;
   if (!edit.landmarks || !irises) return edit;
   const corrected = { ...irises[index], centre: add(irises[index].centre, moved) };
