@@ -6,23 +6,34 @@ declare global {
   interface Window {
     isAway: boolean;
     notified: string[];
+    notes: number;
   }
 }
 
-/** Headless Chromium never hides a tab, and shows no notifications: both are stood in for, before the page runs. */
-async function standInForTabAndNotifications(page: Page): Promise<void> {
-  await page.addInitScript(() => {
+/** Headless Chromium never hides a tab, shows no notifications and is not heard: all are stood in for, before the page runs. */
+async function standInForTabAndNotifications(page: Page, answer: NotificationPermission): Promise<void> {
+  await page.addInitScript((answer) => {
     window.isAway = false;
     window.notified = [];
+    window.notes = 0;
+    const { start } = OscillatorNode.prototype;
+    OscillatorNode.prototype.start = function (when) {
+      window.notes += 1;
+      start.call(this, when);
+    };
     Object.defineProperty(document, 'visibilityState', { get: () => (window.isAway ? 'hidden' : 'visible') });
-    window.Notification = class {
-      static permission = 'default';
-      static requestPermission = async () => 'granted';
+    class Notified {
+      static permission: NotificationPermission = 'default';
+      static async requestPermission() {
+        Notified.permission = answer;
+        return answer;
+      }
       constructor(title: string) {
         window.notified.push(title);
       }
-    } as unknown as typeof Notification;
-  });
+    }
+    window.Notification = Notified as unknown as typeof Notification;
+  }, answer);
 }
 
 function leave(page: Page, isAway: boolean): Promise<void> {
@@ -32,8 +43,9 @@ function leave(page: Page, isAway: boolean): Promise<void> {
   }, isAway);
 }
 
-test('the end of a tracing is told in the title and by the notification that was asked for', async ({ page }) => {
-  await standInForTabAndNotifications(page);
+/** A tracing that was asked to tell its end, while another tab is looked at. */
+async function traceUnseen(page: Page, answer: NotificationPermission): Promise<void> {
+  await standInForTabAndNotifications(page, answer);
   await openEditor(page);
   await page.getByRole('region', { name: 'Samples' }).getByRole('button').first().click();
   await page.getByRole('button', { name: 'Notify me' }).click();
@@ -41,7 +53,17 @@ test('the end of a tracing is told in the title and by the notification that was
   await leave(page, true);
   await tracingDone(page);
   await expect(page).toHaveTitle(/^done, \d+ paths/);
+}
+
+test('the end of a tracing is told in the title, by a sound and by the notification that was asked for', async ({ page }) => {
+  await traceUnseen(page, 'granted');
   expect(await page.evaluate(() => window.notified)).toEqual([expect.stringMatching(/: done, \d+ paths$/)]);
+  expect(await page.evaluate(() => window.notes)).toBe(2);
   await leave(page, false);
   await expect(page).toHaveTitle('VectorTalker');
+});
+
+test('where the browser lets no notification through, the sound is there', async ({ page }) => {
+  await traceUnseen(page, 'denied');
+  expect(await page.evaluate(() => [window.notified.length, window.notes])).toEqual([0, 2]);
 });

@@ -35,6 +35,20 @@ test('the pose that is set becomes a keyframe at the playhead', async ({ page })
     await expect.poll(() => pathData(page)).toEqual(smiling);
   });
 
+  await test.step('the pin of a slider keys that channel alone', async () => {
+    await playhead.fill('0.8');
+    await corners.fill('0.5');
+    await corners.press('Enter');
+    await page.getByRole('spinbutton', { name: 'Width, value' }).fill('0.3');
+    await page.getByRole('button', { name: 'Keyframe of corners, frown to smile' }).click();
+    await expect(page.getByRole('button', { name: 'Keyframe at 0.80 seconds' })).toBeVisible();
+    await expect(corners).toHaveValue('0.00');
+    await expect(page.getByRole('spinbutton', { name: 'Width, value' })).toHaveValue('0.30');
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await expect(page.getByRole('button', { name: 'Keyframe at 0.80 seconds' })).toBeHidden();
+    await keyframe.click();
+  });
+
   await test.step('Delete takes it away, and undo brings it back', async () => {
     await keyframe.press('Delete');
     await expect(keyframe).toBeHidden();

@@ -8,6 +8,7 @@ import { atRest, type Edit, isAtRest, withArticulators, withChannel, withoutChan
 import { apply, settle, sketch } from '../store/editing';
 import { leaveRest } from '../store/looking';
 import { canPose, edit } from '../store/state';
+import { pinChannel } from '../store/tracks';
 
 /** One step that is seen, whatever tool is in hand. */
 function pose(change: (edit: Edit) => Edit): void {
@@ -97,6 +98,11 @@ function Slider({ channel }: { readonly channel: Channel }): JSX.Element {
         <span class="end">{channel.ends[1]}</span>
       </div>
       <NumberField channel={channel} value={value} />
+      <IconButton
+        icon="key"
+        label={`Keyframe of ${channel.label.toLowerCase()}, ${channel.ends[0]} to ${channel.ends[1]}`}
+        onClick={() => pinChannel(channel.name)}
+      />
     </div>
   );
 }

@@ -1,22 +1,27 @@
-/** Tells people who look elsewhere that the tracing has ended: in the page's title, and by a notification if they asked for one. */
+/** Tells people who look elsewhere that the tracing has ended: in the page's title, and if they asked for it by a sound and a notification. */
 import { effect, signal } from '@preact/signals';
 import { hasEnded } from '../api/events';
 import type { JobState } from '../api/schema';
-import { tell } from './notices';
+import { chime } from './chime';
+import { report, tell } from './notices';
 import { documentName, job } from './state';
 
 /** How the tracing ended while nobody looked; null when somebody looks. */
 export const endedUnseen = signal<string | null>(null);
-/** Whether the end of the tracing is told by a notification. */
+/** Whether the end of the tracing is told by a sound and, where the browser lets it, by a notification. */
 export const notifying = signal(false);
 
-export const canAskToNotify = () => 'Notification' in window && Notification.permission !== 'denied';
+const canNotify = () => 'Notification' in window && Notification.permission === 'granted';
 
 /** Asks the browser for its leave; browsers want a press to come first. */
 export async function notifyAtEnd(): Promise<void> {
-  notifying.value = (await Notification.requestPermission()) === 'granted';
-  if (!notifying.value)
-    tell({ kind: 'advice', text: 'The browser lets this page send no notifications. The title of its tab says when it is done.' });
+  notifying.value = true;
+  if ('Notification' in window) await Notification.requestPermission();
+  if (!canNotify())
+    tell({
+      kind: 'advice',
+      text: 'The browser lets this page send no notifications. A sound and the title of its tab say when it is done.',
+    });
 }
 
 /** Watches the job until the returned function is called. */
@@ -42,6 +47,8 @@ export function watchEnd(): () => void {
 function tellAway(text: string): void {
   endedUnseen.value = text;
   if (!notifying.value) return;
+  chime().catch(report);
+  if (!canNotify()) return;
   const notification = new Notification(`${documentName.peek()}: ${text}`);
   notification.onclick = () => {
     window.focus();

@@ -1,9 +1,9 @@
 /** Actions on tracks: put one on the timeline, open a file or a sample. */
-import type { Track } from '../api/schema';
+import type { Pose, Track } from '../api/schema';
 import { keyframesOf, withKeyframe, withoutKeyframe } from '../timeline/keyframes';
 import { pause, play, rewind } from '../timeline/playback';
 import { readTrack, readTrackFile } from '../timeline/readTrack';
-import { atRest, isAtRest, withTrack } from './edit';
+import { atRest, type Edit, isAtRest, withoutChannels, withTrack } from './edit';
 import { apply } from './editing';
 import { announce, FileError, tell } from './notices';
 import { canPose, edit, timeSeconds, track } from './state';
@@ -35,9 +35,20 @@ export function insertKeyframe(): void {
     tell({ kind: 'advice', text: 'Pose the portrait first: the keyframe takes the pose that is set.' });
     return;
   }
+  keyAtPlayhead(edit.value.pose, atRest);
+}
+
+/** Moves one channel of the pose into a keyframe at the playhead; at rest, the channel is held there as it stands. */
+export function pinChannel(name: string): void {
+  if (!canPose.value) return;
+  const value = edit.value.pose.articulators[name] ?? 0;
+  keyAtPlayhead({ articulators: { [name]: value }, offsets: null }, (present) => withoutChannels(present, [name]));
+}
+
+function keyAtPlayhead(pose: Pose, withoutIt: (edit: Edit) => Edit): void {
   pause();
   const playhead = timeSeconds.value;
-  apply((present) => atRest(withTrack(present, withKeyframe(track.value ?? EMPTY_TRACK, playhead, present.pose))));
+  apply((present) => withoutIt(withTrack(present, withKeyframe(track.value ?? EMPTY_TRACK, playhead, pose))));
   timeSeconds.value = Math.max(playhead, JUST_PLAYING);
   announce(`Keyframe at ${playhead.toFixed(2)} seconds`);
 }
