@@ -3,6 +3,11 @@ import { expect, test } from '@playwright/test';
 import { expectNoViolations } from './axe';
 import { landmark, openEditor, traceSample } from './editor';
 
+const WINDOWS = [
+  ['1440 × 900 at 200 %', 720, 450],
+  ['a phone', 390, 800],
+] as const;
+
 test('axe finds nothing, and landmarks are moved by keyboard', async ({ page }) => {
   await openEditor(page);
   await test.step('first screen', () => expectNoViolations(page));
@@ -22,8 +27,24 @@ test('axe finds nothing, and landmarks are moved by keyboard', async ({ page }) 
     await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
   });
 
+  await test.step('correcting the landmarks', async () => {
+    await page.getByRole('button', { name: 'Adjust the landmarks' }).click();
+    await expect(page.getByRole('img', { name: 'Mouth, enlarged' })).toBeVisible();
+    await expectNoViolations(page);
+  });
   await page.getByRole('tab', { name: 'Layers' }).click();
   await page.keyboard.press('?');
   await expect(page.getByRole('dialog', { name: 'Keyboard shortcuts' })).toBeVisible();
   await test.step('layers and shortcuts', () => expectNoViolations(page));
+  await page.keyboard.press('Escape');
+
+  for (const [name, width, height] of WINDOWS)
+    await test.step(name, async () => {
+      await page.setViewportSize({ width, height });
+      await expect(page.getByRole('button', { name: 'Save' })).toBeInViewport();
+      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+      await expectNoViolations(page);
+    });
+  await page.getByRole('button', { name: 'Hide the panel' }).click();
+  await expect(page.getByRole('tabpanel')).toBeHidden();
 });

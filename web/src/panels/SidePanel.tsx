@@ -1,7 +1,9 @@
 /** The side panel and its tabs. */
 import type { JSX } from 'preact';
+import { IconButton } from '../shell/Button';
 import { SpeechPanel } from '../speech/SpeechPanel';
-import { panel } from '../store/state';
+import { toggle } from '../store/looking';
+import { panel, panelFolded } from '../store/state';
 import { LayersPanel } from './LayersPanel';
 import { PosePanel } from './PosePanel';
 
@@ -20,28 +22,38 @@ export function SidePanel(): JSX.Element {
     document.getElementById(`tab-${panel.value}`)?.focus();
   };
   return (
-    <aside class="side-panel" aria-label="Panels">
-      <div class="tabs" role="tablist" aria-label="Panels" onKeyDown={arrow}>
-        {TABS.map((tab) => (
-          <button
-            key={tab.name}
-            id={`tab-${tab.name}`}
-            type="button"
-            role="tab"
-            aria-selected={tab.name === shown}
-            aria-controls="side-panel-body"
-            tabIndex={tab.name === shown ? 0 : -1}
-            onClick={() => {
-              panel.value = tab.name;
-            }}
-          >
-            {tab.label}
-          </button>
-        ))}
+    <aside class={panelFolded.value ? 'side-panel folded' : 'side-panel'} aria-label="Panels">
+      <div class="panel-head">
+        <div class="tabs" role="tablist" aria-label="Panels" onKeyDown={arrow}>
+          {TABS.map((tab) => (
+            <button
+              key={tab.name}
+              id={`tab-${tab.name}`}
+              type="button"
+              role="tab"
+              aria-selected={tab.name === shown}
+              aria-controls="side-panel-body"
+              tabIndex={tab.name === shown ? 0 : -1}
+              onClick={() => show(tab.name)}
+            >
+              {tab.label}
+            </button>
+          ))}
+        </div>
+        <IconButton
+          icon={panelFolded.value ? 'unfold' : 'fold'}
+          label={panelFolded.value ? 'Show the panel' : 'Hide the panel'}
+          onClick={() => toggle(panelFolded)}
+        />
       </div>
       <div class="panel-body" id="side-panel-body" role="tabpanel" aria-label={label}>
         <Panel />
       </div>
     </aside>
   );
+}
+
+function show(name: typeof panel.value): void {
+  panel.value = name;
+  panelFolded.value = false;
 }
