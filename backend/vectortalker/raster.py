@@ -27,7 +27,7 @@ Arguments = tuple[Floats, Floats, Floats, NDArray[np.bool_], NDArray[np.int32], 
 class Paint:
     """What is not differentiated.
 
-    `gradient` bool [n]: linear fill between both stops along the axis, else the first stop alone. `clip` i32 [n]: mask
+    `gradient` bool [n]: linear fill from stop to stop along the axis, else the first stop alone. `clip` i32 [n]: mask
     of `clips` f32 [k, H, W] that multiplies a path's opacity, −1 for none. `subrows` 1, 2 or 4: finer resolution of the
     nonzero rule where paths fold over themselves. `quantise`: round to 8 bits after every blend, as renderers do,
     gradients passing straight through. `threads` 0: all cores; the bits do not depend on it.
@@ -45,9 +45,12 @@ class Paint:
 def rasterize(
     points: Tensor, stops: Tensor, axis: Tensor | None = None, *, width: int, height: int, paint: Paint | None = None
 ) -> Tensor:
-    """Picture f32 [height, width, 3] of `points` [n, 3S, 2], `stops` RGBA [n, 2, 4], `axis` [n, 4] (x1, y1, x2, y2)."""
+    """Picture f32 [height, width, 3] of `points` [n, 3S, 2], `stops` [n, 2 or 3, 4], `axis` [n, 4] (x1, y1, x2, y2).
+
+    Stops are RGBA, evenly spaced along the axis.
+    """
     axis = torch.zeros(len(points), 4) if axis is None else axis
-    return _Rasterize.apply(points, stops, axis, width, height, paint or Paint())
+    return _Rasterize.apply(points, _with_middle(stops), axis, width, height, paint or Paint())
 
 
 def loss(
@@ -62,7 +65,12 @@ def loss(
     """Squared error to `target` [H, W, 3], `Σ weight·|C − target|² / 3HW`; one pass instead of two."""
     axis = torch.zeros(len(points), 4) if axis is None else axis
     weight = torch.ones(target.shape[:2]) if weight is None else weight
-    return _Loss.apply(points, stops, axis, target, weight, paint or Paint())
+    return _Loss.apply(points, _with_middle(stops), axis, target, weight, paint or Paint())
+
+
+def _with_middle(stops: Tensor) -> Tensor:
+    """Three stops [n, 3, 4] that paint as `stops` do: between two, their mean."""
+    return torch.stack([stops[:, 0], stops.mean(1), stops[:, 1]], 1) if stops.shape[1] == 2 else stops
 
 
 class _Rasterize(torch.autograd.Function):

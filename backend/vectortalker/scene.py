@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from vectortalker import schema
+
+Real = TypeVar("Real", bound=np.floating)
 
 PARTS: tuple[schema.Part, ...] = (
     "left_eye",
@@ -25,6 +28,7 @@ OPENING_OF_PART = np.array([0, 1, 0, 1, 2, 2, 2, 2])  # index into OPENINGS, by 
 
 COORDINATE_STEP = 0.01  # portrait px: written coordinates are multiples of it
 COLOUR_STEP = 1 / 255
+STOPS = 3  # of every fill in arrays, evenly spaced along the axis
 OPACITY_STEP = 0.001  # what three written decimals resolve
 
 
@@ -32,9 +36,9 @@ OPACITY_STEP = 0.001  # what three written decimals resolve
 class Layer:
     """Paths of one layer in painter's order.
 
-    `points` f32 [n, 3S, 2]: anchor, handle, handle per segment. `stops` f32 [n, 2, 4]: sRGB, opacity in [0, 1]; a solid
-    path uses stop 0. `axis` f32 [n, 4]: gradient start x, y, end x, y. `gradient` bool [n]. `part` i64 [n]: index into
-    `PARTS`, or `NO_PART` outside the local layer.
+    `points` f32 [n, 3S, 2]: anchor, handle, handle per segment. `stops` f32 [n, 3, 4]: sRGB, opacity in [0, 1] at the
+    start, middle and end of the axis; a solid path uses stop 0. `axis` f32 [n, 4]: gradient start x, y, end x, y.
+    `gradient` bool [n]. `part` i64 [n]: index into `PARTS`, or `NO_PART` outside the local layer.
     """
 
     points: NDArray[np.float32]
@@ -70,7 +74,7 @@ def empty_layer(segments: int) -> Layer:
     """No paths, of `segments` cubics each."""
     return Layer(
         np.zeros((0, 3 * segments, 2), np.float32),
-        np.zeros((0, 2, 4), np.float32),
+        np.zeros((0, STOPS, 4), np.float32),
         np.zeros((0, 4), np.float32),
         np.zeros(0, np.bool_),
         np.zeros(0, np.int64),
@@ -144,8 +148,8 @@ def _path_fields(layer: Layer) -> list[dict]:
 def _fill(stops: NDArray[np.float32], opacity: list[float], axis: list[float], gradient: bool) -> schema.Fill:
     if not gradient:
         return schema.SolidFill(colour=_hex(stops[0, :3]), opacity=opacity[0])
-    first, last = (schema.Stop(colour=_hex(stops[k, :3]), opacity=opacity[k]) for k in (0, 1))
-    return schema.LinearFill(start=(axis[0], axis[1]), end=(axis[2], axis[3]), stops=(first, last))
+    shades = [schema.Stop(colour=_hex(stop[:3]), opacity=opacity[k]) for k, stop in enumerate(stops)]
+    return schema.LinearFill(start=(axis[0], axis[1]), end=(axis[2], axis[3]), stops=shades)
 
 
 def _hex(rgb: NDArray[np.float32]) -> str:
@@ -177,9 +181,17 @@ def _layer(paths: list[schema.ScenePath] | list[schema.LocalPath], segments: int
     )
 
 
-def _stops(fill: schema.Fill) -> list[list[float]]:
-    stops = (fill, fill) if fill.kind == "solid" else fill.stops
-    return [[*_rgb(stop.colour).tolist(), stop.opacity] for stop in stops]
+def _stops(fill: schema.Fill) -> NDArray[np.float32]:
+    stops = [fill] * STOPS if fill.kind == "solid" else fill.stops
+    rows = np.array([[*_rgb(stop.colour).tolist(), stop.opacity] for stop in stops], np.float32)
+    return with_middle(rows)
+
+
+def with_middle(stops: NDArray[Real]) -> NDArray[Real]:
+    """Stops [..., 3, 4] that paint as the two or three of `stops` do: between two comes their mean."""
+    if stops.shape[-2] == STOPS:
+        return stops
+    return np.insert(stops, 1, stops.mean(axis=-2), axis=-2)
 
 
 def _axis(fill: schema.Fill) -> tuple[float, float, float, float]:

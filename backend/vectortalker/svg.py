@@ -69,14 +69,15 @@ def _clip_outline(outline: NDArray[np.float64]) -> str:
     return f'<path d="{path_data(outline.ravel().tolist())}"/>' if len(outline) else ""
 
 
-def _gradient(index: int, fill: LinearFill) -> str:
+def _gradient(path: int, fill: LinearFill) -> str:
     (x1, y1), (x2, y2) = fill.start, fill.end
+    offsets = (number(index / (len(fill.stops) - 1)) for index in range(len(fill.stops)))
     stops = "".join(
         f'<stop offset="{offset}" stop-color="{stop.colour}"{_opacity("stop-opacity", stop.opacity)}/>'
-        for offset, stop in enumerate(fill.stops)
+        for offset, stop in zip(offsets, fill.stops, strict=True)
     )
     ends = f'x1="{number(x1)}" y1="{number(y1)}" x2="{number(x2)}" y2="{number(y2)}"'
-    return f'<linearGradient id="g{index}" gradientUnits="userSpaceOnUse" {ends}>{stops}</linearGradient>'
+    return f'<linearGradient id="g{path}" gradientUnits="userSpaceOnUse" {ends}>{stops}</linearGradient>'
 
 
 def _canvas(scene: Scene) -> str:

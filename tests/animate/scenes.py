@@ -62,7 +62,7 @@ def scene() -> Scene:
     skin = LinearFill(
         start=(80, 60),
         end=(160, 240),
-        stops=(Stop(colour="#f0c8a8"), Stop(colour="#a87858", opacity=0.8)),
+        stops=[Stop(colour="#f0c8a8"), Stop(colour="#a87858", opacity=0.8)],
     )
     fore = [ScenePath(points=blob(120, 150, 95), fill=skin)]
     fore += [ScenePath(points=blob(x, 170, 24), fill=SolidFill(colour="#e08080", opacity=0.4)) for x in (75, 165)]

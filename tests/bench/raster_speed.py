@@ -28,7 +28,7 @@ def scene(n: int, side: int, seed: int = 0) -> dict[str, NDArray[np.generic]]:
     points = centre + radius * ring * rng.uniform(0.7, 1.3, (n, 3 * SEGMENTS, 2))
     return {
         "points": points.astype(np.float32),
-        "stops": rng.uniform(0.1, 0.9, (n, 2, 4)).astype(np.float32),
+        "stops": rng.uniform(0.1, 0.9, (n, 3, 4)).astype(np.float32),
         "axis": np.concatenate([centre[:, 0] - radius, centre[:, 0] + radius], 1).astype(np.float32),
         "gradient": np.arange(n) % 2 == 0,
         "clip": np.full(n, -1, np.int32),

@@ -9,7 +9,7 @@ BOX = [0.0, 0, 1, 0, 2, 0, 3, 0, 3, 1, 3, 2]
 
 def scene() -> Scene:
     solid = SolidFill(colour="#102030", opacity=0.5)
-    linear = LinearFill(start=(0, 0), end=(3, 2), stops=(Stop(colour="#ffffff"), Stop(colour="#000000", opacity=0)))
+    linear = LinearFill(start=(0, 0), end=(3, 2), stops=[Stop(colour="#ffffff"), Stop(colour="#000000", opacity=0)])
     return Scene(
         width=100,
         height=80,

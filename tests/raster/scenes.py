@@ -58,7 +58,7 @@ def polygon(*corners: tuple[float, float]) -> Floats:
 def solid(points: Floats, colour: tuple[float, float, float] = (0, 0, 0), opacity: float = 1.0) -> Scene:
     """All paths of one colour."""
     n = len(points)
-    stops = np.tile(np.array([*colour, opacity], np.float32), (n, 2, 1))
+    stops = np.tile(np.array([*colour, opacity], np.float32), (n, 3, 1))
     return Scene(
         points,
         stops,
@@ -100,14 +100,16 @@ def blobs(
         ],
         1,
     )
+    ends, canvas = rng.uniform(0.1, 0.9, (n, 2, 4)), rng.uniform(0.2, 0.8, 3)
+    middles = rng.uniform(0.1, 0.9, (n, 4))
     return Scene(
         points,
-        rng.uniform(0.1, 0.9, (n, 2, 4)).astype(np.float32),
+        np.insert(ends, 1, middles, axis=1).astype(np.float32),
         axis.astype(np.float32),
         np.arange(n) % 2 == 0,
         np.full(n, -1, np.int32),
         np.zeros((0, height, width), np.float32),
-        rng.uniform(0.2, 0.8, 3).astype(np.float32),
+        canvas.astype(np.float32),
     )
 
 

@@ -16,7 +16,7 @@ REFUSED = {
     "far": ({"points": np.full((2, 6, 2), 1e9, np.float32)}, "within ±65536"),
     "controls": ({"points": np.zeros((2, 7, 2), np.float32)}, "7 control points"),
     "coordinates": ({"points": np.zeros((2, 6, 3), np.float32)}, r"\[2, 6, 3\]"),
-    "stops": ({"stops": np.zeros((3, 2, 4), np.float32)}, r"\[3, 2, 4\]"),
+    "stops": ({"stops": np.zeros((3, 3, 4), np.float32)}, r"\[3, 3, 4\]"),
     "axis": ({"axis": np.full((2, 4), np.inf, np.float32)}, "axis holds inf"),
     "clip": ({"clip": np.array([0, -1], np.int32)}, "mask 0; there are 0"),
     "masks": ({"clips": np.zeros((1, 3, 3), np.float32)}, r"\[1, 3, 3\]"),

@@ -25,7 +25,9 @@ def svg_of(scene: Scene) -> str:
             d += "C" + " ".join(f"{x} {y}" for x, y in ring[[j + 1, j + 2, (j + 3) % len(ring)]])
         (x1, y1, x2, y2), stops = scene.axis[i], scene.stops[i]
         if scene.gradient[i]:
-            shades = [f'<stop offset="{k}" stop-color="{css(s)}" stop-opacity="{s[3]}"/>' for k, s in enumerate(stops)]
+            shades = [
+                f'<stop offset="{k / 2}" stop-color="{css(s)}" stop-opacity="{s[3]}"/>' for k, s in enumerate(stops)
+            ]
             place = f'gradientUnits="userSpaceOnUse" x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}"'
             parts.append(f'<linearGradient id="g{i}" {place}>{"".join(shades)}</linearGradient>')
             parts.append(f'<path d="{d}z" fill="url(#g{i})"/>')

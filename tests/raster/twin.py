@@ -36,7 +36,8 @@ def fill(stops: Tensor, axis: Tensor, gradient: bool, height: int, width: int) -
     delta = axis[2:] - axis[:2]
     position = ((x - axis[0]) * delta[0] + (y - axis[1]) * delta[1]) / (delta @ delta).clamp_min(1e-12)
     s = position.clamp(0, 1)[..., None] if gradient else torch.zeros(height, width, 1)
-    rgba = stops[0] + s * (stops[1] - stops[0])
+    first, second = (2 * s).clamp(0, 1), (2 * s - 1).clamp(0, 1)
+    rgba = stops[0] + first * (stops[1] - stops[0]) + second * (stops[2] - stops[1])
     return rgba[..., :3], rgba[..., 3]
 
 

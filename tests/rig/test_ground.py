@@ -8,7 +8,7 @@ import vectortalker_core as core
 from vectortalker.animate.frames import FrameRenderer, frame_size
 from vectortalker.animate.rigged import frame_points, rig_scene
 from vectortalker.bench.portraits import REPOSITORY, sitters
-from vectortalker.scene import empty_layer
+from vectortalker.scene import STOPS, empty_layer
 from vectortalker.schema import Pose, VectorizeOptions
 from vectortalker.vectorize import vectorize
 from vectortalker.vectorize.ground import with_ground
@@ -28,7 +28,7 @@ def test_ground_covers_every_pixel(segments: int, size: tuple[int, int]) -> None
     canvas = np.array([0.2, 0.4, 0.6], np.float32)
     ground = with_ground(empty_layer(segments), canvas, *size)
     assert (core.coverage(ground.points[0], *size) > 1 - 1e-6).all()
-    np.testing.assert_array_equal(ground.stops[0], np.tile([*canvas, 1], (2, 1)).astype(np.float32))
+    np.testing.assert_array_equal(ground.stops[0], np.tile([*canvas, 1], (STOPS, 1)).astype(np.float32))
 
 
 def test_no_pose_shows_what_lies_behind() -> None:

@@ -13,7 +13,7 @@ RATES = Rates(points=1.0, colour=0.05, opacity=0.05, axis=1.0, beta2=0.99)
 
 
 def start(x: float) -> Start:
-    stops = np.full((2, 4), 0.5, np.float32)
+    stops = np.full((3, 4), 0.5, np.float32)
     stops[:, 3] = START_OPACITY
     return Start(circle((x, 10), 5, 4), stops, np.array([x, 0, x + 1, 0], np.float32))
 

@@ -19,6 +19,7 @@ from vectortalker.scene import (
     from_wire,
     order_local,
     to_wire,
+    with_middle,
 )
 from vectortalker.svg import number, path_data, to_svg
 
@@ -29,7 +30,7 @@ def random_layer(generator: np.random.Generator, n: int, segments: int = 4, loca
     part = generator.integers(0, len(PARTS), n) if local else np.full(n, NO_PART)
     return Layer(
         generator.uniform(-20, 120, (n, 3 * segments, 2)).astype(np.float32),
-        generator.uniform(0, 1, (n, 2, 4)).astype(np.float32),
+        generator.uniform(0, 1, (n, 3, 4)).astype(np.float32),
         generator.uniform(0, 100, (n, 4)).astype(np.float32),
         generator.integers(0, 2, n).astype(bool),
         part.astype(np.int64),
@@ -123,9 +124,29 @@ def test_svg_references_resolve_and_local_paths_are_clipped_by_their_opening() -
             assert group.get("clip-path") == f"url(#opening-{opening})"
 
 
+def test_old_gradients_of_two_stops_paint_as_before_with_their_mean_between() -> None:
+    two = np.array([[0.2, 0.4, 0.6, 1.0], [0.4, 0.4, 0.0, 0.5]], np.float32)
+    np.testing.assert_allclose(with_middle(two), [two[0], [0.3, 0.4, 0.3, 0.75], two[1]], rtol=1e-6)
+    ends = [schema.Stop(colour="#000000"), schema.Stop(colour="#ffffff")]
+    old = schema.ScenePath(points=[0.0] * 12, fill=schema.LinearFill(start=(0, 0), end=(4, 0), stops=ends))
+    scene = from_wire(schema.Scene(width=4, height=4, canvas="#000000", back=[old], fore=[], local=[]))
+    np.testing.assert_allclose(scene.back.stops[0, :, 0], [0, 0.5, 1])
+
+
+def test_svg_spaces_three_stops_evenly() -> None:
+    stops = [schema.Stop(colour=colour) for colour in ("#000000", "#ff0000", "#ffffff")]
+    path = schema.ScenePath(points=[0.0] * 12, fill=schema.LinearFill(start=(0, 0), end=(4, 0), stops=stops))
+    scene = schema.Scene(width=4, height=4, canvas="#000000", back=[path], fore=[], local=[])
+    assert re.findall(r'offset="(.*?)" stop-color="(.*?)"', to_svg(scene, [], "Three", (4, 4))) == [
+        ("0", "#000000"),
+        ("0.5", "#ff0000"),
+        ("1", "#ffffff"),
+    ]
+
+
 def test_svg_of_one_solid_and_one_gradient_path_is_the_golden() -> None:
     square = [0.0, 0.0, 10.0, 0.0, 20.0, 0.0, 30.0, 10.0, 20.0, 20.0, 10.0, 20.0]
-    stops = (schema.Stop(colour="#000000"), schema.Stop(colour="#ffffff", opacity=0.25))
+    stops = [schema.Stop(colour="#000000"), schema.Stop(colour="#ffffff", opacity=0.25)]
     scene = schema.Scene(
         width=40,
         height=20,

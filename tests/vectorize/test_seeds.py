@@ -14,7 +14,7 @@ from vectortalker.vectorize.starts import affine_fill, circle, contour_start, th
 
 def covered(points: np.ndarray, side: int) -> np.ndarray:
     """Coverage [side, side] of one path."""
-    white = np.ones((1, 2, 4), np.float32)
+    white = np.ones((1, 3, 4), np.float32)
     image = core.rasterize(
         points[None],
         white,
@@ -103,7 +103,7 @@ def test_affine_fill_reproduces_linear_colours() -> None:
     start, end = axis[:2].astype(float), axis[2:].astype(float)
     at = np.stack([x + 100.5, y + 50.5], axis=-1)
     share = np.clip((at - start) @ (end - start) / ((end - start) @ (end - start)), 0, 1)
-    painted = stops[0, :3] + share[..., None] * (stops[1, :3] - stops[0, :3])
+    painted = stops[0, :3] + share[..., None] * (stops[-1, :3] - stops[0, :3])
     assert np.abs(painted - ramp).max() < 2e-3
 
 

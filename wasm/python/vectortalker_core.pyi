@@ -73,8 +73,8 @@ def animated_svg(
 ) -> str:
     """Animated SVG of a rigged scene.
 
-    `layers`: numbers of back and fore paths; `openings` [n_local]; `fills` [n, 9]: 0 solid or 1 linear, then red, green,
-    blue (0…255) and opacity of both stops; `axes` [2n, 2]: gradient ends at rest; `vertices` [frames, V, 2], evenly over
+    `layers`: numbers of back and fore paths; `openings` [n_local]; `fills` [n, 13]: 0 solid or 1 linear, then red, green,
+    blue (0…255) and opacity of three stops; `axes` [2n, 2]: gradient ends at rest; `vertices` [frames, V, 2], evenly over
     `duration` seconds; `tolerance` in portrait pixels. Raises ValueError when they do not fit together.
     """
 
@@ -112,7 +112,7 @@ def rasterize(
 ) -> Floats:
     """Picture [H, W, 3] of paths in painter's order.
 
-    `points` [n, 3S, 2] pixels; `stops` [n, 2, 4] RGBA in [0, 1], unpremultiplied; `axis` [n, 4] x1, y1, x2, y2;
+    `points` [n, 3S, 2] pixels; `stops` [n, 3, 4] RGBA in [0, 1], unpremultiplied, at start, middle and end of `axis` [n, 4] x1, y1, x2, y2;
     `gradient` [n]: linear fill, else the first stop alone; `clip` [n]: mask of `clips` [k, H, W] multiplying opacity,
     −1 for none; `canvas` [3]. `subrows` 1, 2 or 4: over how many rows of a pixel the nonzero rule is resolved.
     `flatness` (0.001 to 1): px that a chord may stray from its cubic. `quantise`: round to 8 bits after every blend.

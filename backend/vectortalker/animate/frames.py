@@ -115,11 +115,11 @@ def _paints(fill: Fill) -> bool:
 
 
 def _gradient(fill: LinearFill, ends: Points) -> skia.Shader:
-    """Two-stop gradient between `ends` [2, 2]; where they coincide the last stop paints all, as SVG 2 says."""
+    """Gradient between `ends` [2, 2]; where they coincide the last stop paints all, as SVG 2 says."""
     start, end = ends.tolist()
     colours = [_colour(stop.colour, stop.opacity) for stop in fill.stops]
     if start == end:
-        return skia.Shaders.Color(colours[1])
+        return skia.Shaders.Color(colours[-1])
     return skia.GradientShader.MakeLinear([skia.Point(*start), skia.Point(*end)], colours)
 
 

@@ -6,6 +6,7 @@ import numpy as np
 import vectortalker_core as core
 
 from vectortalker.animate.rigged import RiggedScene, vertices_at
+from vectortalker.scene import STOPS, with_middle
 from vectortalker.schema import Fill, LinearFill, Track
 
 FPS = 25.0  # frames that keyframes are chosen from; the picture itself moves between them
@@ -25,7 +26,7 @@ def animated_svg(rigged: RiggedScene, track: Track, title: str, *, looped: bool)
         canvas=list(bytes.fromhex(drawing.canvas[1:])),
         layers=(drawing.n_back, drawing.n_fore),
         openings=drawing.openings[local.start : local.stop].tolist(),
-        fills=np.array([_fill_numbers(fill) for fill in drawing.fills]).reshape(-1, 9),
+        fills=np.array([_fill_numbers(fill) for fill in drawing.fills]).reshape(-1, 13),
         axes=rigged.axes,
         vertices=vertices_at(rigged, track, times),
         duration=track.duration,
@@ -42,6 +43,7 @@ def tolerance_of(width: float, height: float) -> float:
 
 
 def _fill_numbers(fill: Fill) -> list[float]:
-    """Nine numbers: 0 solid or 1 linear, then red, green, blue and opacity of both stops."""
-    stops = fill.stops if isinstance(fill, LinearFill) else (fill, fill)
-    return [float(isinstance(fill, LinearFill)), *(x for s in stops for x in (*bytes.fromhex(s.colour[1:]), s.opacity))]
+    """Thirteen numbers: 0 solid or 1 linear, then red, green, blue (0…255) and opacity of three stops."""
+    stops = fill.stops if isinstance(fill, LinearFill) else [fill] * STOPS
+    numbers = np.array([[*bytes.fromhex(stop.colour[1:]), stop.opacity] for stop in stops])
+    return [float(isinstance(fill, LinearFill)), *with_middle(numbers).ravel().tolist()]

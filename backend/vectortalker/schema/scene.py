@@ -9,6 +9,7 @@ from pydantic import AfterValidator, Field
 from vectortalker.schema.wire import Coordinate, HexColour, Side, Unit, Wire, Xy
 
 NUMBERS_PER_SEGMENT = 6  # anchor, handle, handle
+MOST_STOPS = 3
 Part = Literal[
     "left_eye", "right_eye", "left_iris", "right_iris", "mouth_cavity", "mouth_lower", "tongue", "mouth_upper"
 ]
@@ -26,12 +27,12 @@ class Stop(Wire):
 
 
 class LinearFill(Wire):
-    """Two-stop linear gradient from `start` to `end`, padded, unpremultiplied sRGB."""
+    """Linear gradient from `start` to `end`, its stops evenly spaced: padded, unpremultiplied sRGB."""
 
     kind: Literal["linear"] = "linear"
     start: Xy
     end: Xy
-    stops: tuple[Stop, Stop]
+    stops: Annotated[list[Stop], Field(min_length=2, max_length=MOST_STOPS)]
 
 
 Fill = Annotated[SolidFill | LinearFill, Field(discriminator="kind")]

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from vectortalker.interior import smile_floor
 from vectortalker.lids import lids
 from vectortalker.oklab import to_srgb
-from vectortalker.scene import NO_PART, PARTS, Layer, empty_layer
+from vectortalker.scene import NO_PART, PARTS, STOPS, Layer, empty_layer
 from vectortalker.schema import Landmarks
 from vectortalker.vectorize.starts import through_samples
 
@@ -65,7 +65,7 @@ def _opaque(patches: Patches, part: int, segments: int) -> Layer:
     colours = np.array([np.append(to_srgb(lab), 1) for _, lab in patches], np.float32)
     return Layer(
         np.stack([through_samples(np.concatenate([outline, outline[:1]]), segments) for outline, _ in patches]),
-        np.repeat(colours[:, None], 2, axis=1),
+        np.repeat(colours[:, None], STOPS, axis=1),
         np.zeros((n, 4), np.float32),
         np.zeros(n, np.bool_),
         np.full(n, part),

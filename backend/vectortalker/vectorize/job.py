@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from vectortalker import metrics
 from vectortalker.decode import Portrait, canonical
 from vectortalker.scene import LayeredScene, to_wire
-from vectortalker.schema import Landmarks, Metrics, Scene, VectorizeOptions
+from vectortalker.schema import Fill, Landmarks, Metrics, Scene, VectorizeOptions
 from vectortalker.segmenter import Segmenter
 from vectortalker.svg import to_svg
 from vectortalker.vectorize.covers import with_covers
@@ -30,7 +30,7 @@ from vectortalker.vectorize.targets import Targets, prepare
 PREPARED = 0.05  # share of the time spent before the first level
 OPTIMISED = 0.97  # up to the end of the last level …
 WRITTEN = 0.98  # … and to the finished SVG
-FILL_PARAMETERS = {"solid": 4, "linear": 12}  # colour and opacity; two of each and two axis ends
+STOP_PARAMETERS, AXIS_PARAMETERS = 4, 4  # colour and opacity; both ends
 
 
 def vectorize(
@@ -131,7 +131,7 @@ def _measure(
     return Metrics(
         paths=len(paths),
         segments=sum(len(path.points) // 6 for path in paths),
-        parameters=sum(len(path.points) + FILL_PARAMETERS[path.fill.kind] for path in paths),
+        parameters=sum(len(path.points) + _fill_parameters(path.fill) for path in paths),
         iterations=iterations,
         seconds=elapsed[0],
         cpu_seconds=elapsed[1],
@@ -141,3 +141,7 @@ def _measure(
         psnr=metrics.psnr(squared_error),
         ssim=metrics.ssim(painted, picture),
     )
+
+
+def _fill_parameters(fill: Fill) -> int:
+    return STOP_PARAMETERS if fill.kind == "solid" else AXIS_PARAMETERS + STOP_PARAMETERS * len(fill.stops)

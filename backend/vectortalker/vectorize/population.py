@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from vectortalker.scene import Layer
+from vectortalker.scene import STOPS, Layer
 from vectortalker.vectorize.adam import Moments, step
 from vectortalker.vectorize.level import FIRST_LOCAL
 from vectortalker.vectorize.starts import Start
@@ -77,7 +77,7 @@ def fresh(
 
 
 def empty_population(segments: int) -> Population:
-    points, stops, axis = (np.zeros(shape, np.float32) for shape in ((0, 3 * segments, 2), (0, 2, 4), (0, 4)))
+    points, stops, axis = (np.zeros(shape, np.float32) for shape in ((0, 3 * segments, 2), (0, STOPS, 4), (0, 4)))
     return fresh(points, stops, axis, np.zeros(0, np.bool_), np.zeros(0, np.int64))
 
 

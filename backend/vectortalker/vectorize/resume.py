@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from vectortalker.errors import VectorTalkerError
+from vectortalker.scene import with_middle
 from vectortalker.vectorize.optimise import Start, Step
 from vectortalker.vectorize.options import Settings
 from vectortalker.vectorize.population import fresh
@@ -23,5 +24,6 @@ def restore(saved: Checkpoint, settings: Settings) -> Start:
         raise VectorTalkerError(
             "bad_option", f"The checkpoint was made with {saved.settings}, this job wants {settings!r}: start afresh."
         )
-    population = fresh(**{name: saved.arrays[name].copy() for name in PATHS})
+    arrays = {name: saved.arrays[name].copy() for name in PATHS}
+    population = fresh(**{**arrays, "stops": with_middle(arrays["stops"])})
     return Start(population, saved.level, saved.iterations)

@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter, label
 from skimage.measure import find_contours
 
+from vectortalker.scene import STOPS
+
 WINDOW = 2.5  # half side of the window a component may fill, in radii
 COMPONENT_BLUR = 0.2  # standard deviation that smooths the component's outline, in radii
 COMPONENT_LEVEL = 0.4  # outline at this share of the mean residual over the disc
@@ -22,7 +24,7 @@ THROUGH = np.array([[-5, 18, -9, 2], [2, -9, 18, -5]], np.float64) / 6
 
 @dataclass(frozen=True)
 class Start:
-    """A new path: `points` f32 [3S, 2], `stops` f32 [2, 4], `axis` f32 [4]."""
+    """A new path: `points` f32 [3S, 2], `stops` f32 [3, 4], `axis` f32 [4]."""
 
     points: NDArray[np.float32]
     stops: NDArray[np.float32]
@@ -49,7 +51,7 @@ def circle_start(target: NDArray[np.float32], centre: tuple[int, int], radius: f
     y, x = np.mgrid[: window.shape[0], : window.shape[1]]
     inside = (x + x0 - centre[0]) ** 2 + (y + y0 - centre[1]) ** 2 <= max(1.0, 0.7 * radius) ** 2
     colour = window[inside].mean(axis=0)
-    stops = np.tile(np.append(colour, START_OPACITY), (2, 1)).astype(np.float32)
+    stops = np.tile(np.append(colour, START_OPACITY), (STOPS, 1)).astype(np.float32)
     middle = (centre[0] + 0.5, centre[1] + 0.5)
     axis = np.array([middle[0] - radius, middle[1], middle[0] + radius, middle[1]], np.float32)
     return Start(circle(middle, radius, segments), stops, axis)
@@ -119,7 +121,7 @@ def through_samples(outline: NDArray[np.float64], segments: int) -> NDArray[np.f
 def affine_fill(
     window: NDArray[np.float32], inside: NDArray[np.bool_], origin: tuple[int, int]
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Two-stop gradient nearest to the colours of `window` [h, w, 3] where `inside`: stops [2, 4] and axis [4].
+    """Gradient nearest to the colours of `window` [h, w, 3] where `inside`: stops [3, 4] and axis [4].
 
     Least squares colour = mean + slope·(p − centre) per channel; the axis follows the direction in which the channels
     change most together and spans the pixels' extent along it. Colours are cut to [0, 1].
@@ -138,8 +140,8 @@ def affine_fill(
     change = (direction @ slope) * reach
     limit = np.minimum(mean, 1 - mean).clip(min=0)
     change = np.clip(change, -limit, limit)
-    stops = np.empty((2, 4), np.float32)
-    stops[0, :3], stops[1, :3] = mean - change, mean + change
+    stops = np.empty((STOPS, 4), np.float32)
+    stops[:, :3] = mean + np.linspace(-1, 1, STOPS)[:, None] * change
     stops[:, 3] = START_OPACITY
     centre = middle + origin + 0.5
     return stops, np.concatenate([centre - reach * direction, centre + reach * direction]).astype(np.float32)

@@ -11,7 +11,7 @@ impl BrowserRig {
     /// An animated SVG of the rigged scene.
     ///
     /// `canvas` is red, green, blue; `layers` the numbers of back and fore paths; `openings` the opening of each local
-    /// path; `fills` nine numbers a path as in `Fill::from_flat`; `axes` both gradient ends of every path at rest;
+    /// path; `fills` 13 numbers a path as in `Fill::from_flat`; `axes` both gradient ends of every path at rest;
     /// `vertices` all frames, evenly spaced over `duration` seconds, one after another.
     ///
     /// # Errors

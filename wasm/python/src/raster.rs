@@ -188,7 +188,8 @@ fn overlap<'py>(
 ) -> PyResult<Bound<'py, PyArray<f64, Ix2>>> {
     let [n, controls, _] = shape("points", &points, [None, None, Some(2)])?;
     let ring = flat("points", &points)?;
-    let (stops, axis, gradient, clip) = (vec![0.0; 8 * n], vec![0.0; 4 * n], vec![false; n], vec![-1; n]);
+    let (stops, axis, gradient, clip) =
+        (vec![0.0; 4 * raster::STOPS * n], vec![0.0; 4 * n], vec![false; n], vec![-1; n]);
     let paths =
         Paths { segments: controls / 3, points: ring, stops: &stops, axis: &axis, gradient: &gradient, clip: &clip };
     let frame =
@@ -210,7 +211,7 @@ fn arrays<'py>(
         found.losses.into_pyarray(py),
         array(py, found.image, if extras.picture { [frame.height, frame.width, 3] } else { [0, 0, 3] })?,
         array(py, found.points, [n, 3 * paths.segments, 2])?,
-        array(py, found.stops, [n, 2, 4])?,
+        array(py, found.stops, [n, raster::STOPS, 4])?,
         array(py, found.axis, [n, 4])?,
         extras.importance.then(|| found.importance.into_pyarray(py)),
     ))

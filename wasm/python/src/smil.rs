@@ -11,7 +11,7 @@ use crate::geometry::{Points, PyRig, points_of, rows};
 
 /// An animated SVG of a rigged scene.
 ///
-/// `layers` are the numbers of back and fore paths, `openings` [n_local] the opening of each local path, `fills` [n, 9] as
+/// `layers` are the numbers of back and fore paths, `openings` [n_local] the opening of each local path, `fills` [n, 13] as
 /// in `Fill::from_flat`, `axes` [2n, 2] both gradient ends of every path at rest, `vertices` [frames, V, 2] evenly spaced
 /// over `duration` seconds. Raises `ValueError` when they do not fit together.
 #[pyfunction]

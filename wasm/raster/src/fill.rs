@@ -1,21 +1,23 @@
-//! Solid and two-stop linear fills, as SVG paints them: padded, unpremultiplied, interpolated in sRGB.
+//! Solid and three-stop linear fills, as SVG paints them: padded, unpremultiplied, interpolated in sRGB.
 
 use crate::lane::{Lane, ROWS, ZERO, rows};
 
 /// Gradient of the loss by one path's fill.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct FillGradient {
-    pub stops: [[f32; 4]; 2],
+    pub stops: [[f32; 4]; STOPS],
     pub axis: [f32; 4],
     /// Loss increase if the path were removed.
     pub importance: f64,
 }
 
-/// Colour and opacity along an axis: `first + position·change`.
+/// Stops of a gradient, evenly spaced along its axis.
+pub const STOPS: usize = 3;
+
+/// Colour and opacity along an axis, straight from stop to stop.
 #[derive(Debug, Clone, Copy)]
 pub struct Fill {
-    pub first: [f32; 4],
-    pub last: [f32; 4],
+    pub stops: [[f32; 4]; STOPS],
     /// `None`: solid.
     pub axis: Option<Axis>,
 }
@@ -34,12 +36,19 @@ pub struct Axis {
 const LEAST_AXIS: f32 = 1e-12;
 
 impl Fill {
-    /// Reads path `i` of `stops [n, 2, 4]` and `axis [n, 4]`.
+    /// Reads path `i` of `stops [n, 3, 4]` and `axis [n, 4]`.
     pub fn new(i: usize, stops: &[f32], axis: &[f32], gradient: bool) -> Self {
-        let stop = |k: usize| std::array::from_fn(|c| stops[8 * i + 4 * k + c]);
+        let stop = |k: usize| std::array::from_fn(|c| stops[4 * (STOPS * i + k) + c]);
         let a = &axis[4 * i..4 * i + 4];
         let axis = gradient.then(|| Axis::new([a[0], a[1]], [a[2] - a[0], a[3] - a[1]]));
-        Self { first: stop(0), last: stop(1), axis }
+        Self { stops: std::array::from_fn(stop), axis }
+    }
+
+    /// Channels over half `half` of the axis: value at position 0 and change per unit of position.
+    pub fn half(&self, half: usize) -> ([f32; 4], [f32; 4]) {
+        let (start, end) = (self.stops[half], self.stops[half + 1]);
+        let change: [f32; 4] = std::array::from_fn(|k| 2.0 * (end[k] - start[k]));
+        (std::array::from_fn(|k| start[k] - 0.5 * half as f32 * change[k]), change)
     }
 
     /// Unpadded positions of the pixel centres of a column, and the change from column to column; zero in a solid fill.

@@ -34,6 +34,7 @@ mod walk;
 use band::{Band, BandGradient};
 use cover::Call;
 pub use error::Error;
+pub use fill::STOPS;
 use lane::ROWS;
 pub use saturate::Overlap;
 pub use scene::{Checkpoint, Frame, MAX_COORDINATE, MAX_PATHS, MAX_SEGMENTS, MAX_SIDE, Objective, Paths};
@@ -146,7 +147,7 @@ pub fn coverage(points: &[f32], width: usize, height: usize) -> Result<Vec<f32>,
     let paths = Paths {
         segments: points.len() / 6,
         points,
-        stops: &[1.0; 8],
+        stops: &[1.0; 4 * STOPS],
         axis: &[0.0; 4],
         gradient: &[false],
         clip: &[-1],
@@ -179,7 +180,7 @@ fn sum(paths: &Paths<'_>, image: Vec<f32>, parts: &[BandGradient]) -> Gradients 
         losses: vec![0.0; parts.first().map_or(0, |part| part.losses.len())],
         image,
         points: vec![0.0; n * stride],
-        stops: vec![0.0; n * 8],
+        stops: vec![0.0; n * 4 * STOPS],
         axis: vec![0.0; n * 4],
         importance: vec![0.0; n],
     };
@@ -189,7 +190,7 @@ fn sum(paths: &Paths<'_>, image: Vec<f32>, parts: &[BandGradient]) -> Gradients 
         }
         for ((&path, fill), points) in part.paths.iter().zip(&part.fills).zip(part.points.chunks_exact(stride)) {
             add(&mut whole.points[path * stride..], points);
-            add(&mut whole.stops[path * 8..], fill.stops.as_flattened());
+            add(&mut whole.stops[path * 4 * STOPS..], fill.stops.as_flattened());
             add(&mut whole.axis[path * 4..], &fill.axis);
             whole.importance[path] += fill.importance;
         }

@@ -1,6 +1,7 @@
 //! Checks flat arrays once and names them: paths in painter's order and the frame that they are painted on.
 
 use crate::error::Error;
+use crate::fill::STOPS;
 use crate::target::Target;
 
 /// Longest side of a frame, as of a portrait; an f32 coordinate is still exact to 1/4096 px there.
@@ -23,9 +24,9 @@ pub struct Paths<'a> {
     pub segments: usize,
     /// Control points, `[n, 3S, 2]`: anchor, handle, handle, anchor, …
     pub points: &'a [f32],
-    /// Two stops of unpremultiplied sRGB and opacity, `[n, 2, 4]`; a solid fill uses the first.
+    /// Stops of unpremultiplied sRGB and opacity at the start, middle and end of the axis, `[n, 3, 4]`; a solid fill uses the first.
     pub stops: &'a [f32],
-    /// Gradient axis from the first stop to the second, `[n, 4]`: x1, y1, x2, y2.
+    /// Gradient axis from the first stop to the last, `[n, 4]`: x1, y1, x2, y2.
     pub axis: &'a [f32],
     /// Whether the fill is a linear gradient, `[n]`.
     pub gradient: &'a [bool],
@@ -82,7 +83,7 @@ impl Paths<'_> {
         size("number of paths", n, 0, MAX_PATHS)?;
         size("segments of a path", self.segments, 1, MAX_SEGMENTS)?;
         length("points", self.points, n * self.segments * 6)?;
-        length("stops", self.stops, n * 8)?;
+        length("stops", self.stops, n * 4 * STOPS)?;
         length("axis", self.axis, n * 4)?;
         if self.clip.len() != n {
             return Err(Error::Length { name: "clip", got: self.clip.len(), expected: n });

@@ -1,20 +1,20 @@
 //! Colour and opacity of a fill over columns of a band, and what their gradients add up to.
 //!
-//! Three kinds of columns: all of one stop's colour, between the stops everywhere, or some of both.
+//! Three kinds of columns: all of an end's colour, between the same two stops everywhere, or some of both.
 
-use crate::fill::{Fill, Moments};
+use crate::fill::{Fill, Moments, STOPS};
 use crate::lane::{Lane, ZERO};
 use std::ops::Range;
 
 /// Gradients by a fill's stops, row by row, and moments for its axis.
 #[derive(Debug, Clone, Copy)]
 pub struct Totals {
-    pub stops: [[Lane; 4]; 2],
+    pub stops: [[Lane; 4]; STOPS],
     pub moments: Moments,
 }
 
 impl Totals {
-    pub const ZERO: Self = Self { stops: [[ZERO; 4]; 2], moments: Moments::ZERO };
+    pub const ZERO: Self = Self { stops: [[ZERO; 4]; STOPS], moments: Moments::ZERO };
 }
 
 /// A fill that walks along with columns.
@@ -41,7 +41,8 @@ pub trait Shade: Copy {
 pub enum Kind {
     /// All of a stop's colour: the first's or the last's.
     Even(usize),
-    Ramp,
+    /// Within one half of the axis.
+    Ramp(usize),
     Padded,
 }
 
@@ -51,8 +52,9 @@ impl Kind {
         let Some(axis) = &fill.axis else { return Self::Even(0) };
         match axis.range(top, columns.start, columns.end) {
             (_, high) if high <= 0.0 => Self::Even(0),
-            (low, _) if low >= 1.0 => Self::Even(1),
-            (low, high) if low >= 0.0 && high <= 1.0 => Self::Ramp,
+            (low, _) if low >= 1.0 => Self::Even(STOPS - 1),
+            (low, high) if low >= 0.0 && high <= 0.5 => Self::Ramp(0),
+            (low, high) if low >= 0.5 && high <= 1.0 => Self::Ramp(1),
             _ => Self::Padded,
         }
     }
@@ -66,8 +68,8 @@ macro_rules! with_shade {
                 let $shade = $crate::shade::Even::new($fill, stop);
                 $call
             }
-            $crate::shade::Kind::Ramp => {
-                let $shade = $crate::shade::Ramp::new($fill, $top, $columns.start);
+            $crate::shade::Kind::Ramp(half) => {
+                let $shade = $crate::shade::Ramp::new($fill, half, $top, $columns.start);
                 $call
             }
             $crate::shade::Kind::Padded => {
@@ -88,7 +90,7 @@ pub struct Even {
 
 impl Even {
     pub fn new(fill: &Fill, stop: usize) -> Self {
-        Self { channels: [fill.first, fill.last][stop].map(Lane::splat), stop }
+        Self { channels: fill.stops[stop].map(Lane::splat), stop }
     }
 }
 
@@ -119,12 +121,13 @@ impl Shade for Even {
     }
 }
 
-/// Columns between the stops: channels change by the same amount from column to column.
+/// Columns within a half of the axis: channels change by the same amount from column to column.
 #[derive(Debug, Clone, Copy)]
 pub struct Ramp {
     channels: [Lane; 4],
     steps: [Lane; 4],
-    /// From the first stop to the last.
+    half: usize,
+    /// Per unit of position.
     change: [Lane; 4],
     position: Lane,
     step: Lane,
@@ -135,11 +138,13 @@ pub struct Ramp {
 }
 
 impl Ramp {
-    pub fn new(fill: &Fill, top: usize, column: usize) -> Self {
+    pub fn new(fill: &Fill, half: usize, top: usize, column: usize) -> Self {
         let (position, step) = fill.ramp(top, column);
-        let change: [Lane; 4] = std::array::from_fn(|k| Lane::splat(fill.last[k] - fill.first[k]));
+        let (base, change) = fill.half(half);
+        let change = change.map(Lane::splat);
         Self {
-            channels: std::array::from_fn(|k| position.mul_add(change[k], Lane::splat(fill.first[k]))),
+            half,
+            channels: std::array::from_fn(|k| position.mul_add(change[k], Lane::splat(base[k]))),
             steps: change.map(|change| change * step),
             change,
             position,
@@ -188,8 +193,9 @@ impl Shade for Ramp {
         for k in 0..4 {
             let (plain, passed) = (sums.plain[k], sums.passed[k]);
             let by_position = self.position * plain + self.step * passed;
-            totals.stops[0][k] += plain - by_position;
-            totals.stops[1][k] += by_position;
+            let at_end = (by_position - plain * (0.5 * self.half as f32)) * 2.0;
+            totals.stops[self.half][k] += plain - at_end;
+            totals.stops[self.half + 1][k] += at_end;
             totals.moments.e += self.change[k] * plain;
             totals.moments.ex += self.change[k] * (passed + plain * self.x);
             totals.moments.es += self.change[k] * by_position;
@@ -197,11 +203,12 @@ impl Shade for Ramp {
     }
 }
 
-/// Columns of which some pixels lie beyond the ends of the axis.
+/// Columns of which some pixels lie beyond the ends of the axis, or on both sides of its middle.
 #[derive(Debug, Clone, Copy)]
 pub struct Padded {
     first: [Lane; 4],
-    change: [Lane; 4],
+    /// Per unit of position in either half.
+    change: [[Lane; 4]; 2],
     /// Unpadded.
     position: Lane,
     step: f32,
@@ -212,27 +219,38 @@ impl Padded {
     pub fn new(fill: &Fill, top: usize, column: usize) -> Self {
         let (position, step) = fill.ramp(top, column);
         Self {
-            first: fill.first.map(Lane::splat),
-            change: std::array::from_fn(|k| Lane::splat(fill.last[k] - fill.first[k])),
+            first: fill.stops[0].map(Lane::splat),
+            change: [0, 1].map(|half| fill.half(half).1.map(Lane::splat)),
             position,
             step,
             x: column as f32 + 0.5,
         }
     }
 
+    /// How far into either half.
     #[inline(always)]
-    fn padded(&self) -> Lane {
-        self.position.fast_clamp(ZERO, Lane::ONE)
+    fn padded(&self) -> [Lane; 2] {
+        let half = Lane::splat(0.5);
+        [self.position.fast_max(ZERO).fast_min(half), (self.position - half).fast_max(ZERO).fast_min(half)]
     }
 }
 
+/// Gradients by the channels, themselves and times the way into either half; moments.
+#[derive(Debug, Clone, Copy)]
+pub struct PaddedSums {
+    plain: [Lane; 4],
+    by_half: [[Lane; 4]; 2],
+    moments: Moments,
+}
+
 impl Shade for Padded {
-    type Sums = Totals;
-    const NOTHING: Self::Sums = Totals::ZERO;
+    type Sums = PaddedSums;
+    const NOTHING: Self::Sums = PaddedSums { plain: [ZERO; 4], by_half: [[ZERO; 4]; 2], moments: Moments::ZERO };
 
     #[inline(always)]
     fn channel(&self, k: usize) -> Lane {
-        self.padded().mul_add(self.change[k], self.first[k])
+        let [a, b] = self.padded();
+        b.mul_add(self.change[1][k], a.mul_add(self.change[0][k], self.first[k]))
     }
 
     #[inline(always)]
@@ -241,28 +259,33 @@ impl Shade for Padded {
         self.x += 1.0;
     }
 
-    /// `stops[0]` takes the gradients themselves until they are totalled.
     #[inline(always)]
     fn add(&self, sums: &mut Self::Sums, grad: [Lane; 4]) {
-        let position = self.padded();
-        let mut e = ZERO;
+        let [a, b] = self.padded();
+        let mut e = [ZERO; 2];
         for k in 0..4 {
-            sums.stops[0][k] += grad[k];
-            sums.stops[1][k] = grad[k].mul_add(position, sums.stops[1][k]);
-            e = grad[k].mul_add(self.change[k], e);
+            sums.plain[k] += grad[k];
+            sums.by_half[0][k] = grad[k].mul_add(a, sums.by_half[0][k]);
+            sums.by_half[1][k] = grad[k].mul_add(b, sums.by_half[1][k]);
+            e[0] = grad[k].mul_add(self.change[0][k], e[0]);
+            e[1] = grad[k].mul_add(self.change[1][k], e[1]);
         }
-        let within = self.position.simd_ge(ZERO) & self.position.simd_le(Lane::ONE);
-        let e = e & within;
+        let half = Lane::splat(0.5);
+        let first = self.position.simd_ge(ZERO) & self.position.simd_le(half);
+        let second = self.position.simd_gt(half) & self.position.simd_le(Lane::ONE);
+        let e = (e[0] & first) + (e[1] & second);
         sums.moments.e += e;
         sums.moments.ex = e.mul_add(Lane::splat(self.x), sums.moments.ex);
-        sums.moments.es = e.mul_add(position, sums.moments.es);
+        sums.moments.es = e.mul_add(self.position, sums.moments.es);
     }
 
     #[inline(always)]
     fn total(&self, sums: &Self::Sums, totals: &mut Totals) {
         for k in 0..4 {
-            totals.stops[0][k] += sums.stops[0][k] - sums.stops[1][k];
-            totals.stops[1][k] += sums.stops[1][k];
+            let [a, b] = [0, 1].map(|half| sums.by_half[half][k] * 2.0);
+            totals.stops[0][k] += sums.plain[k] - a;
+            totals.stops[1][k] += a - b;
+            totals.stops[2][k] += b;
         }
         totals.moments.e += sums.moments.e;
         totals.moments.ex += sums.moments.ex;

@@ -16,7 +16,7 @@ struct Solid {
 impl Solid {
     fn new(points: Vec<f32>, segments: usize) -> Self {
         let n = points.len() / (6 * segments);
-        let stops = [0.0, 0.0, 0.0, 1.0].repeat(2 * n);
+        let stops = [0.0, 0.0, 0.0, 1.0].repeat(STOPS * n);
         Self { points, segments, stops, axis: vec![0.0; 4 * n], gradient: vec![false; n], clip: vec![-1; n] }
     }
 

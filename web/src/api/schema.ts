@@ -102,12 +102,12 @@ export type Limits = {
   retention_hours: number;
 };
 
-/** Two-stop linear gradient from `start` to `end`, padded, unpremultiplied sRGB. */
+/** Linear gradient from `start` to `end`, its stops evenly spaced: padded, unpremultiplied sRGB. */
 export type LinearFill = {
   kind: 'linear';
   start: [number, number];
   end: [number, number];
-  stops: [Stop, Stop];
+  stops: Stop[];
 };
 
 export type LocalPath = {

@@ -66,7 +66,8 @@ function paintPath(context: Context, drawing: Drawing, frame: DrawingFrame, path
   if (fill.kind === 'linear') {
     const [x1, y1, x2, y2] = frame.axes[path];
     const isPoint = x1 === x2 && y1 === y2; // SVG then paints the last stop, a canvas nothing
-    context.fillStyle = isPoint ? cssColour(fill.stops[1]) : gradient(context, fill.stops.map(cssColour), [x1, y1, x2, y2]);
+    const colours = fill.stops.map(cssColour);
+    context.fillStyle = isPoint ? colours[colours.length - 1] : gradient(context, colours, [x1, y1, x2, y2]);
   } else context.fillStyle = cssColour(fill);
   trace(context, frame.paths[path]);
   context.fill();
@@ -74,8 +75,8 @@ function paintPath(context: Context, drawing: Drawing, frame: DrawingFrame, path
 
 function gradient(context: Context, colours: readonly string[], ends: readonly [number, number, number, number]): CanvasGradient {
   const made = context.createLinearGradient(...ends);
-  colours.forEach((colour, offset) => {
-    made.addColorStop(offset, colour);
+  colours.forEach((colour, index) => {
+    made.addColorStop(index / (colours.length - 1), colour);
   });
   return made;
 }

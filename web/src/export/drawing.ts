@@ -93,8 +93,15 @@ export function cssColour({ colour, opacity }: Pick<Stop, 'colour' | 'opacity'>)
 }
 
 function fillNumbers(fill: Fill): number[] {
-  const [first, last] = fill.kind === 'linear' ? fill.stops : [fill, fill];
-  return [fill.kind === 'linear' ? 1 : 0, ...bytesOf(first.colour), first.opacity, ...bytesOf(last.colour), last.opacity];
+  const stops = (fill.kind === 'linear' ? fill.stops : [fill, fill, fill]).map(({ colour, opacity }) => [...bytesOf(colour), opacity]);
+  return [fill.kind === 'linear' ? 1 : 0, ...withMiddle(stops).flat()];
+}
+
+/** Three stops that paint as two or three do: between two comes their mean. */
+function withMiddle(stops: number[][]): number[][] {
+  if (stops.length === 3) return stops;
+  const [first, last] = stops;
+  return [first, first.map((value, channel) => (value + last[channel]) / 2), last];
 }
 
 const bytesOf = (colour: string) => [1, 3, 5].map((at) => Number.parseInt(colour.slice(at, at + 2), 16));

@@ -28,7 +28,7 @@ test('forecasts are rounded for people', () => {
   expect(forecastText({ bytes: 71_400, seconds: 0.2 })).toBe('about 71 kB, under a second');
 });
 
-test('fills become nine numbers a path, clips an opening a local path', () => {
+test('fills become thirteen numbers a path, three stops even of old ones with two, clips an opening a local path', () => {
   const points = Array.from({ length: 12 }, () => 0);
   const red = { colour: '#ff0000', opacity: 0.5 };
   const scene: Scene = {
@@ -40,7 +40,9 @@ test('fills become nine numbers a path, clips an opening a local path', () => {
     local: [{ points, part: 'tongue', fill: { kind: 'solid', ...red } }],
   };
   const { core, openings } = drawingOf(scene);
-  expect(Array.from(core.fills.subarray(0, 18))).toEqual([0, 255, 0, 0, 0.5, 255, 0, 0, 0.5, 1, 255, 0, 0, 0.5, 0, 0, 255, 1]);
+  const solid = [255, 0, 0, 0.5];
+  const linear = [...solid, 127.5, 0, 127.5, 0.75, 0, 0, 255, 1];
+  expect(Array.from(core.fills.subarray(0, 26))).toEqual([0, ...solid, ...solid, ...solid, 1, ...linear]);
   expect(Array.from(core.axes)).toEqual([0, 0, 0, 0, 1, 2, 3, 4, 0, 0, 0, 0]);
   expect(openings).toEqual([null, null, 2]);
   expect(cssColour(red)).toBe('rgb(255 0 0 / 0.5)');

@@ -69,7 +69,7 @@ function isFill(value: Record<string, unknown>): boolean {
     isXy(fill.start) &&
     isXy(fill.end) &&
     Array.isArray(fill.stops) &&
-    fill.stops.length === 2 &&
+    (fill.stops.length === 2 || fill.stops.length === 3) &&
     fill.stops.every(isColour)
   );
 }

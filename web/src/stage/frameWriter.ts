@@ -55,11 +55,12 @@ export function frameWriter({ paths, gradients, axes }: Picture, fills: readonly
   return { write, writeAll };
 }
 
-/** Largest difference of two stops in any channel, in levels of 255; 0 for a solid fill. */
+/** Steepest change of any channel, in levels of 255 over the length of the axis; 0 for a solid fill. */
 function contrastOf(fill: ScenePath['fill']): number {
   if (fill.kind === 'solid') return 0;
-  const [first, last] = fill.stops.map(({ colour, opacity }) => [...levelsOf(colour), 255 * opacity]);
-  return Math.max(...first.map((level, channel) => Math.abs(level - last[channel])));
+  const levels = fill.stops.map(({ colour, opacity }) => [...levelsOf(colour), 255 * opacity]);
+  const steps = levels.slice(1).map((stop, index) => Math.max(...stop.map((level, channel) => Math.abs(level - levels[index][channel]))));
+  return steps.length * Math.max(...steps);
 }
 
 const levelsOf = (colour: string) => [1, 3, 5].map((at) => Number.parseInt(colour.slice(at, at + 2), 16));

@@ -110,8 +110,8 @@ function gradient(index: number, { start, end, stops }: LinearFill): SVGLinearGr
   const [x1, y1] = start.map(String);
   const [x2, y2] = end.map(String);
   const made = svgElement('linearGradient', { id: `fill-${index}`, gradientUnits: 'userSpaceOnUse', x1, y1, x2, y2 });
-  stops.forEach(({ colour, opacity }, offset) => {
-    made.append(svgElement('stop', { offset: `${offset}`, 'stop-color': colour, 'stop-opacity': `${opacity}` }));
+  stops.forEach(({ colour, opacity }, index) => {
+    made.append(svgElement('stop', { offset: `${index / (stops.length - 1)}`, 'stop-color': colour, 'stop-opacity': `${opacity}` }));
   });
   return made;
 }

@@ -156,7 +156,7 @@ impl<'a, M: Motion> Writer<'a, M> {
         )
     }
 
-    fn gradient(&self, path: usize, stops: [Stop; 2], axis: &Trajectory) -> String {
+    fn gradient(&self, path: usize, stops: [Stop; 3], axis: &Trajectory) -> String {
         let rest = axis[0].iter().flat_map(|p| [whole(p.x / self.step), whole(p.y / self.step)]);
         let mut text = format!(r#"<linearGradient id="g{path}" gradientUnits="userSpaceOnUse""#);
         let names = ["x1", "y1", "x2", "y2"];
@@ -173,7 +173,7 @@ impl<'a, M: Motion> Writer<'a, M> {
                 _ = write!(text, r#"<animate attributeName="{name}" {timing} values="{values}"/>"#);
             }
         }
-        for (offset, stop) in stops.iter().enumerate() {
+        for (offset, stop) in ["0", ".5", "1"].iter().zip(stops) {
             let (colour, opacity) = (hex(stop.colour), opacity("stop", stop.opacity));
             _ = write!(text, r#"<stop offset="{offset}" stop-color="{colour}"{opacity}/>"#);
         }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use crate::opening::Opening;
 use crate::point::Point;
 
-/// Colour (sRGB bytes) and opacity (0…1) at one end of a gradient, or of a whole fill.
+/// Colour (sRGB bytes) and opacity (0…1) at a stop of a gradient, or of a whole fill.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
     pub colour: [u8; 3],
@@ -16,7 +16,8 @@ pub struct Stop {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fill {
     Solid(Stop),
-    Linear([Stop; 2]),
+    /// Stops at the start, middle and end.
+    Linear([Stop; 3]),
 }
 
 /// Paths in painter's order: `n_back` that never move, `n_fore`, and the local ones, each clipped by an opening.
@@ -33,17 +34,17 @@ pub struct Picture {
 }
 
 impl Fill {
-    /// Fills of flat numbers, nine a path: 0 solid or 1 linear, then red, green, blue (0…255) and opacity (0…1) of both
-    /// stops. A solid fill is its first stop.
+    /// Fills of flat numbers, 13 a path: 0 solid or 1 linear, then red, green, blue (0…255) and opacity (0…1) of
+    /// three stops. A solid fill is its first stop.
     #[must_use]
     pub fn from_flat(flat: &[f64]) -> Vec<Self> {
         let stop = |c: &[f64]| Stop { colour: [c[0] as u8, c[1] as u8, c[2] as u8], opacity: c[3] };
-        flat.chunks_exact(9)
+        flat.chunks_exact(13)
             .map(|row| {
                 if row[0] == 0.0 {
                     Self::Solid(stop(&row[1..5]))
                 } else {
-                    Self::Linear([stop(&row[1..5]), stop(&row[5..])])
+                    Self::Linear([1, 5, 9].map(|start| stop(&row[start..])))
                 }
             })
             .collect()

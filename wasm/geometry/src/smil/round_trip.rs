@@ -203,7 +203,7 @@ fn what_moves_with_the_head_alone_has_no_keyframes() {
 #[test]
 fn gradients_move_with_their_path() {
     let stop = Stop { colour: [9, 9, 9], opacity: 1.0 };
-    let svg = written(0.5, |_| Fill::Linear([stop, stop]));
+    let svg = written(0.5, |_| Fill::Linear([stop; 3]));
     assert_eq!(svg.matches("<linearGradient").count(), Nodding::PICTURE_PATHS);
     // the ends of path 9's gradient straddle the line below which the face speaks
     let (_, nine) = svg.split_once("id=\"g9\"").unwrap();

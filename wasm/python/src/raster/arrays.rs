@@ -33,7 +33,7 @@ impl Scene<'_> {
                 "points has {controls} control points a path; the count must be a positive multiple of 3."
             )));
         }
-        shape("stops", &self.stops, [Some(n), Some(2), Some(4)])?;
+        shape("stops", &self.stops, [Some(n), Some(raster::STOPS), Some(4)])?;
         shape("axis", &self.axis, [Some(n), Some(4)])?;
         shape("clip", &self.clip, [Some(n)])?;
         if self.gradient.len() != n {
