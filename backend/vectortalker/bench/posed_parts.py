@@ -109,7 +109,7 @@ def hidden(fill: Fill) -> Fill:
 def _changed(fill: Fill, change: dict[str, object]) -> Fill:
     if fill.kind == "solid":
         return fill.model_copy(update=change)
-    return fill.model_copy(update={"stops": tuple(stop.model_copy(update=change) for stop in fill.stops)})
+    return fill.model_copy(update={"stops": [stop.model_copy(update=change) for stop in fill.stops]})
 
 
 def _blot(mask: NDArray[np.uint8]) -> Blot:
