@@ -168,6 +168,21 @@ test('words of a part, manner, and files of other programs', async ({ page }) =>
     await page.getByRole('button', { name: 'Listen to this part' }).click();
     await expect.poll(async () => (await labels(page))[1], { timeout: 60_000 }).toEqual(heard[1]);
     expect((await labels(page)).slice(-6)).toEqual(heard.slice(-6)); // a block across the end of the part is cut there
+  });
+
+  await test.step('a block edited while the part is being heard stays, and the editor says so', async () => {
+    const edited = page.waitForResponse('**/api/tracks/visemes');
+    await page.route('**/api/speech/*/result', async (route) => {
+      await edited;
+      await route.continue();
+    });
+    await page.getByRole('button', { name: 'Listen to this part' }).click();
+    await visemes(page).filter({ hasText: 'aa' }).last().focus();
+    await page.getByRole('combobox', { name: 'Viseme' }).selectOption('O');
+    const kept = await labels(page);
+    await expect(page.getByRole('main').getByText('was edited while it was being listened to')).toBeVisible();
+    expect(await labels(page)).toEqual(kept);
+    await page.unroute('**/api/speech/*/result');
     await page.getByRole('button', { name: 'All of it' }).click();
   });
 
