@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 from vectortalker.bench.__main__ import main
 from vectortalker.bench.ledger import keep, kept
-from vectortalker.bench.measure import Run, run_recipe, run_vtracer
+from vectortalker.bench.measure import Run, run_recipe, run_tracer
 from vectortalker.bench.portraits import Sitter, portrait_files
 from vectortalker.bench.sheets import CAPTION, CELL, contact_sheet
 from vectortalker.bench.tables import means, side_by_side
+from vectortalker.bench.tracers import available, n_segments
 from vectortalker.decode import Portrait
 from vectortalker.schema import VectorizeOptions
 
@@ -25,7 +26,7 @@ def sitter() -> Sitter:
 
 @pytest.fixture(scope="module")
 def runs(sitter: Sitter) -> list[Run]:
-    return [run_recipe("best", sitter, OPTIONS, None), run_vtracer("vtracer", sitter, 64, None)]
+    return [run_recipe("best", sitter, OPTIONS, None), run_tracer("vtracer", sitter, 64, None)]
 
 
 def test_rows_state_what_was_measured(runs: list[Run]) -> None:
@@ -34,6 +35,19 @@ def test_rows_state_what_was_measured(runs: list[Run]) -> None:
     assert best.lpips is None and best.eyes_and_mouth_psnr is None
     assert tracer.metrics.paths >= 2 and tracer.metrics.psnr > 20
     assert runs[0].picture.shape == runs[0].target.shape == (48, 64, 3)
+
+
+@pytest.mark.skipif("potrace, 24 colours" not in available(), reason="the program potrace is not installed")
+def test_potrace_stacks_colours_without_gaps(sitter: Sitter) -> None:
+    run = run_tracer("potrace, few paths", sitter, 64, None)
+    assert run.row.metrics.psnr > 25 and run.row.metrics.paths >= 2
+    assert run.row.metrics.segments == n_segments(run.svg) > run.row.metrics.paths
+
+
+def test_segments_are_counted_by_their_numbers() -> None:
+    assert (
+        n_segments('<path d="M0 0 c1 2 3 4 5 6 7 8 9 10 11 12 l1 1 2 2z"/><path d="M0,0 C1,2 3,4 5,6 L7,8 Z "/>') == 6
+    )
 
 
 def test_means_table_has_a_line_per_way_and_marks_what_is_absent(runs: list[Run]) -> None:

@@ -9,11 +9,12 @@ from pathlib import Path
 
 from vectortalker.bench.ledger import keep, kept
 from vectortalker.bench.lpips import Lpips, load_lpips
-from vectortalker.bench.measure import VTRACER_SETTINGS, Run, run_recipe, run_vtracer
+from vectortalker.bench.measure import Run, run_recipe, run_tracer
 from vectortalker.bench.portraits import Sitter, portrait_files, portrait_folder, sitters
 from vectortalker.bench.posed import posed_table
 from vectortalker.bench.sheets import contact_sheet
 from vectortalker.bench.tables import means, side_by_side
+from vectortalker.bench.tracers import TRACERS, available
 from vectortalker.schema import VectorizeOptions
 
 TABLES: dict[str, tuple[str, dict[str, VectorizeOptions]]] = {
@@ -57,6 +58,14 @@ TABLES: dict[str, tuple[str, dict[str, VectorizeOptions]]] = {
     "levels": (
         "Number of smoothing levels",
         {f"paper, {n} levels": VectorizeOptions(recipe="paper", levels=n) for n in (1, 2, 3, 4, 5)},
+    ),
+    "seeds": (
+        "Three seeds",
+        {
+            f"{recipe}, seed {seed}": VectorizeOptions(recipe=recipe, layers=recipe == "best", seed=seed)
+            for recipe in ("best", "paper")
+            for seed in (0, 1, 2)
+        },
     ),
     "scaling": (
         "Time against paths and pixels",
@@ -123,7 +132,7 @@ def _parser() -> argparse.ArgumentParser:
 
 def _ways(table: str) -> list[str]:
     """Lines of a table; tracers stand beside the recipes."""
-    return [*TABLES[table][1], *(VTRACER_SETTINGS if table == "recipes" else ())]
+    return [*TABLES[table][1], *(available() if table == "recipes" else ())]
 
 
 def _unknown(tables: str, ways: str | None) -> list[str]:
@@ -138,7 +147,7 @@ def _run(sitter: Sitter, way: str, ways: dict[str, VectorizeOptions], lpips: Lpi
     """Measure, unless the folder has it from an earlier call."""
     run = kept(folder, sitter.portrait.name, way)
     if run is None:
-        run = run_recipe(way, sitter, ways[way], lpips) if way in ways else run_vtracer(way, sitter, 512, lpips)
+        run = run_recipe(way, sitter, ways[way], lpips) if way in ways else run_tracer(way, sitter, 512, lpips)
         keep(folder, run)
     row = run.row
     print(
@@ -152,7 +161,9 @@ def _run(sitter: Sitter, way: str, ways: dict[str, VectorizeOptions], lpips: Lpi
 def _conditions(people: list[Sitter], lpips: Lpips | None) -> str:
     names = ", ".join(sitter.portrait.name for sitter in people)
     distance = "LPIPS v0.1, AlexNet" if lpips else "LPIPS not measured (its weights are absent)"
-    return f"{len(people)} portraits ({names}); {distance}; Python {platform.python_version()}, {platform.machine()}.\n"
+    absent = "".join(f"; {name} not measured (the program is absent)" for name in TRACERS if name not in available())
+    python = f"Python {platform.python_version()}, {platform.machine()}"
+    return f"{len(people)} portraits ({names}); {distance}{absent}; {python}.\n"
 
 
 if __name__ == "__main__":

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-import io
 import resource
 import time
 from dataclasses import dataclass
 
 import numpy as np
-import vtracer
 from numpy.typing import NDArray
-from PIL import Image
 
 from vectortalker import metrics
 from vectortalker.bench.lpips import Lpips
 from vectortalker.bench.portraits import Sitter
+from vectortalker.bench.tracers import TRACERS, n_segments
 from vectortalker.decode import canonical
 from vectortalker.schema import Metrics, VectorizeOptions
 from vectortalker.vectorize import vectorize
@@ -54,27 +52,19 @@ def run_recipe(way: str, sitter: Sitter, options: VectorizeOptions, lpips: Lpips
     return _run(way, sitter, result.svg, result.metrics, options.working_size or 512, lpips)
 
 
-VTRACER_SETTINGS = {  # its own defaults for photographs, and a setting near our number of paths
-    "vtracer": {},
-    "vtracer, few paths": {"filter_speckle": 12, "color_precision": 5, "layer_difference": 32},
-}
-
-
-def run_vtracer(way: str, sitter: Sitter, side: int, lpips: Lpips | None) -> Run:
-    """Trace the canonical image of long side `side` with vtracer."""
+def run_tracer(way: str, sitter: Sitter, side: int, lpips: Lpips | None) -> Run:
+    """Trace the canonical image of long side `side` with one of `TRACERS`."""
     target = canonical(sitter.portrait, side)
     height, width, _ = target.shape
-    png = io.BytesIO()
-    Image.fromarray(target).save(png, "PNG")
-    clock, cpu_clock = time.perf_counter(), time.process_time()
-    svg = vtracer.convert_raw_image_to_svg(png.getvalue(), img_format="png", **VTRACER_SETTINGS[way])
-    seconds, cpu_seconds = time.perf_counter() - clock, time.process_time() - cpu_clock
+    clock, cpu_clock = time.perf_counter(), _cpu_seconds()
+    svg = TRACERS[way](target)
+    seconds, cpu_seconds = time.perf_counter() - clock, _cpu_seconds() - cpu_clock
     painted = metrics.render(svg, width, height)
     squared_error = metrics.mse(painted, target)
     size, gzip_size = metrics.file_sizes(svg)
     figures = Metrics(
         paths=svg.count("<path"),
-        segments=svg.count("C") + svg.count("L"),
+        segments=n_segments(svg),
         parameters=0,
         iterations=0,
         seconds=seconds,
@@ -86,6 +76,12 @@ def run_vtracer(way: str, sitter: Sitter, side: int, lpips: Lpips | None) -> Run
         ssim=metrics.ssim(painted, target),
     )
     return _run(way, sitter, svg, figures, side, lpips)
+
+
+def _cpu_seconds() -> float:
+    """Of this process and of the programs that it has run."""
+    usages = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    return sum(usage.ru_utime + usage.ru_stime for usage in usages)
 
 
 def _run(way: str, sitter: Sitter, svg: str, figures: Metrics, side: int, lpips: Lpips | None) -> Run:
