@@ -8,7 +8,7 @@ import vectortalker_core as core
 from vectortalker.landmarks.ibug import IrisDisc
 from vectortalker.schema import VectorizeOptions
 from vectortalker.vectorize.layering import LayerImages, layer_images, layered_level
-from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, TOP, Level
+from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, LID, TOP, Level
 from vectortalker.vectorize.optimise import Start, Step, optimise
 from vectortalker.vectorize.options import resolve
 from vectortalker.vectorize.population import empty_population
@@ -76,7 +76,7 @@ def test_hidden_parts_are_completed_by_their_surroundings(images: LayerImages, p
 def test_each_layer_claims_its_own_pixels(images: LayerImages, picture: np.ndarray) -> None:
     level = layered_level(images, picture, (), CANVAS)
     back, fore, _, local = level.sheets
-    assert [sheet.below for sheet in level.sheets] == [FORE, FIRST_LOCAL, FIRST_LOCAL + 2, TOP]
+    assert [sheet.below for sheet in level.sheets] == [FORE, LID, FIRST_LOCAL + 2, TOP]
     assert back.claim[2, 2] == 1 and fore.claim[2, 2] == 0 and local.claim[2, 2] == 0
     assert fore.claim[70, 48] == 1 and back.claim[70, 48] < 0.5
     assert local.claim[50, 38] > 0.9 and local.owner[50, 38] == FIRST_LOCAL

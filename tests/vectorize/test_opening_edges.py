@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 from vectortalker import metrics
-from vectortalker.scene import LayeredScene, to_wire
+from vectortalker.scene import STOPS, LayeredScene, to_wire
 from vectortalker.svg import to_svg
 from vectortalker.vectorize.layering import layer_images, layered_level
-from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, TOP, Level
+from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, LID, TOP, Level
 from vectortalker.vectorize.losses import Fidelity, merged_picture
 from vectortalker.vectorize.optimise import LEAST_IMPORTANCE, LOCAL_KEPT, least_important
 from vectortalker.vectorize.population import Population, fresh
@@ -35,7 +35,7 @@ def skin_and_stacked_eye() -> Population:
     colours = np.stack([np.append(SKIN, 1), *[np.append(EYE, 0.8)] * 3]).astype(np.float32)
     group = np.array([FORE] + [FIRST_LOCAL] * 3)
     axis, gradient = np.zeros((4, 4), np.float32), np.zeros(4, np.bool_)
-    return fresh(points, np.repeat(colours[:, None], 2, axis=1), axis, gradient, group)
+    return fresh(points, np.repeat(colours[:, None], STOPS, axis=1), axis, gradient, group)
 
 
 def test_edges_of_openings_look_as_renderers_paint_them() -> None:
@@ -63,6 +63,12 @@ def test_local_paths_are_moved_while_there_are_many_but_never_the_lowest_of_a_pa
     importance[80:] = LEAST_IMPORTANCE / 2
     moved = least_important(importance, group)
     assert len(moved) == 7 and moved.min() > 80 and 92 not in moved
+
+
+def test_lids_are_never_moved_nor_counted() -> None:
+    group = np.repeat([FORE, LID, FIRST_LOCAL], (50, 10, 40))
+    importance = np.where(group == FORE, 1.0, 0.0)
+    assert group[least_important(importance, group)].tolist() == [FIRST_LOCAL] * 7
 
 
 def test_few_local_paths_stay_where_they_are() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import torch
 from vectortalker.vectorize import adam
-from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE
+from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, LID
 from vectortalker.vectorize.population import Population, Rates, empty_population, insert, move, rescale
 from vectortalker.vectorize.starts import START_OPACITY, Start, circle
 
@@ -51,6 +51,18 @@ def test_insert_puts_new_paths_on_top_of_their_group_without_moments() -> None:
 def test_below_counts_the_paths_under_a_group() -> None:
     paths = population(BACK, BACK, FORE, FIRST_LOCAL + 2)
     assert [paths.below(group) for group in (BACK, FORE, FIRST_LOCAL, FIRST_LOCAL + 3)] == [0, 2, 3, 4]
+
+
+def test_lids_stay_between_fore_and_local_where_they_were_made() -> None:
+    paths = population(FORE, LID, FIRST_LOCAL)
+    paths = insert(paths, [start(100.0)], np.array([FORE]), gradient=True)
+    assert paths.group.tolist() == [FORE, FORE, LID, FIRST_LOCAL]
+    lid = paths.points[2].copy()
+    for _ in range(3):
+        push = {name: np.ones_like(getattr(paths, name)) for name in ("points", "stops", "axis")}
+        move(paths, push, RATES, (200, 200), opaque=False)
+    assert (paths.points[2] == lid).all() and (paths.stops[2, :, :3] == 0.5).all()
+    assert (paths.points[[0, 1, 3]] != start(0.0).points).any()
 
 
 def test_move_keeps_what_svg_can_paint() -> None:

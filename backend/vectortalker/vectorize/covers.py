@@ -1,6 +1,7 @@
 """Covers: paths that poses need and rest hides, so that they are made and not fitted.
 
-Lids lie on top of the fore, under the eyeballs; the floor of a smile on top of the local layer, outside its opening.
+Lids lie on top of the fore, under the eyeballs, which are fitted over them; the floor of a smile on top of the local
+layer, outside its opening.
 """
 
 from __future__ import annotations
@@ -15,7 +16,10 @@ from vectortalker.lids import lids
 from vectortalker.oklab import to_srgb
 from vectortalker.scene import NO_PART, PARTS, STOPS, Layer, empty_layer
 from vectortalker.schema import Landmarks
-from vectortalker.vectorize.starts import through_samples
+from vectortalker.vectorize.frame import Frame, layer_to_level
+from vectortalker.vectorize.level import LID
+from vectortalker.vectorize.population import Population, insert
+from vectortalker.vectorize.starts import Start, through_samples
 
 MOST_SHARE = 0.05  # of the path budget; a sketch of fewer paths has none to spare for what is hidden
 UPPER_TEETH = PARTS.index("mouth_upper")
@@ -45,6 +49,13 @@ def covers(landmarks: Landmarks, rgb: NDArray[np.uint8], budget: int, segments: 
     if len(floor) + len(eyes) > MOST_SHARE * budget:
         return no_covers(segments)
     return Covers(_opaque(eyes, NO_PART, segments), _opaque(floor, UPPER_TEETH, segments))
+
+
+def with_lids(population: Population, lids: Layer, frame: Frame, level: tuple[int, int]) -> Population:
+    """The population of a level of (width, height) px with `lids`, in portrait px, between fore and local."""
+    placed = layer_to_level(lids, frame, level)
+    starts = [Start(*arrays) for arrays in zip(placed.points, placed.stops, placed.axis, strict=True)]
+    return insert(population, starts, np.full(len(lids), LID), lids.gradient)
 
 
 def with_covers(layer: Layer, top: Layer) -> Layer:

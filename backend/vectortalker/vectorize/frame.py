@@ -35,6 +35,14 @@ def to_frame(points: NDArray[np.float64], frame: Frame) -> NDArray[np.float64]:
     return points * frame.scale + np.array([frame.offset_x, frame.offset_y])
 
 
+def layer_to_level(layer: Layer, frame: Frame, level: tuple[int, int]) -> Layer:
+    """Portrait px to pixels of a level (width, height), which shows the whole working picture."""
+    stretch = np.array(level) / (frame.width, frame.height)
+    points = (to_frame(layer.points.astype(np.float64), frame) * stretch).astype(np.float32)
+    ends = to_frame(layer.axis.astype(np.float64).reshape(-1, 2, 2), frame) * stretch
+    return Layer(points, layer.stops, ends.reshape(-1, 4).astype(np.float32), layer.gradient, layer.part)
+
+
 def layer_to_portrait(layer: Layer, frame: Frame, level: tuple[int, int]) -> Layer:
     """Pixels of a level (width, height), which shows the whole working picture, to portrait px."""
     stretch = np.array([frame.width, frame.height]) / np.array(level) / frame.scale

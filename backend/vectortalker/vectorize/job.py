@@ -82,7 +82,7 @@ def compose(
     back, fore, local = (layer_to_portrait(layer, frame, level) for layer in layers)
     if targets.layers is not None:
         back = with_ground(back, targets.canvas, portrait.width, portrait.height)
-        fore, local = with_covers(fore, targets.covers.fore), with_covers(local, targets.covers.local)
+        local = with_covers(local, targets.floor)
     return to_wire(LayeredScene(portrait.width, portrait.height, targets.canvas, back, fore, local))
 
 
@@ -91,8 +91,8 @@ def _n_paths(step: Step, targets: Targets) -> int:
 
 
 def _n_given(targets: Targets) -> int:
-    """Paths that are not optimised: ground and covers."""
-    return 0 if targets.layers is None else 1 + len(targets.covers)
+    """Paths that are added after the fit: the ground, and the floor of a smile."""
+    return 0 if targets.layers is None else 1 + len(targets.floor)
 
 
 def _report(

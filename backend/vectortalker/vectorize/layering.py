@@ -13,7 +13,7 @@ from vectortalker.inpaint import fill
 from vectortalker.interior import MOST_SMILE_GAPE
 from vectortalker.landmarks.ibug import IrisDisc
 from vectortalker.layers import LayerTargets, targets
-from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, TOP, Completion, Level, Sheet, Silhouette
+from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, LID, TOP, Completion, Level, Sheet, Silhouette
 from vectortalker.vectorize.losses import SILHOUETTE_SCALE
 from vectortalker.vectorize.resize import resize
 
@@ -137,7 +137,7 @@ def layered_level(
     groups = np.zeros(mask.shape, np.int64)
     sheets = (
         _sheet(FORE, back, back_weight, back_weight, groups + BACK),
-        _sheet(FIRST_LOCAL, fore, fore_weight, fore_weight, groups + FORE),
+        _sheet(LID, fore, fore_weight, fore_weight, groups + FORE),
         _sheet(FIRST_IRIS, resize(images.ball, frame), HIDDEN_WEIGHT * discs * opening, 0 * mask, groups + FIRST_LOCAL),
         _sheet(TOP, smoothed, merged_weight, opening * emphasis, _nearest(images.parts, frame), *_local_quota(opening)),
     )

@@ -9,7 +9,7 @@ import numpy as np
 import vectortalker_core as core
 from numpy.typing import NDArray
 
-BACK, FORE, FIRST_LOCAL = 0, 1, 2  # group of a path; local paths have group FIRST_LOCAL + part
+BACK, FORE, LID, FIRST_LOCAL = 0, 1, 2, 3  # group of a path; made lids stay as they are; local: FIRST_LOCAL + part
 TOP = FIRST_LOCAL + 8  # above all groups
 
 

@@ -11,7 +11,7 @@ import vectortalker_core as core
 from numpy.typing import NDArray
 
 from vectortalker.scene import OPENING_OF_PART
-from vectortalker.vectorize.level import FIRST_LOCAL, FORE, TOP, Completion, Level, Silhouette
+from vectortalker.vectorize.level import FIRST_LOCAL, FORE, LID, TOP, Completion, Level, Silhouette
 from vectortalker.vectorize.population import Population
 
 FLATNESS = 0.1  # px; the pictures of finished scenes come within 55 dB of much finer chords'
@@ -84,7 +84,7 @@ def detach_fore(
     The fore paths alone are painted over a `screen` colour f32 [3]: inside the silhouette none of it may show, outside
     it must stay as it is. With another random screen every time, no colour is a hiding place.
     """
-    fore = slice(population.below(FORE), population.below(FIRST_LOCAL))
+    fore = slice(population.below(FORE), population.below(LID))
     height, width = silhouette.inside.shape
     scale = np.float32(SILHOUETTE_SCALE)
     target = np.where(silhouette.inside[..., None] > 0, silhouette.target, screen)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from vectortalker.vectorize.level import FIRST_LOCAL, Level
+from vectortalker.vectorize.level import FIRST_LOCAL, LID, Level
 from vectortalker.vectorize.losses import FLATNESS, Fidelity, complete_local, detach_fore, evaluate
 from vectortalker.vectorize.options import Settings
 from vectortalker.vectorize.painted import compensate
@@ -161,13 +161,13 @@ def least_important(importance: NDArray[np.float64], group: NDArray[np.int64]) -
     small, and what looks useless there is a highlight. The lowest path of a part is never moved: it shows when eyes
     turn and lips part.
     """
-    local = group >= FIRST_LOCAL
-    free = ~local
+    local, outer = group >= FIRST_LOCAL, group < LID
+    free = outer.copy()
     if np.count_nonzero(local) > LOCAL_KEPT * len(group):
         lowest = np.unique(group, return_index=True)[1]
-        free = np.ones(len(group), np.bool_)
+        free |= local
         free[lowest[group[lowest] >= FIRST_LOCAL]] = False
-    least = LEAST_IMPORTANCE * importance[~local].mean() if not local.all() else 0.0
+    least = LEAST_IMPORTANCE * importance[outer].mean() if outer.any() else 0.0
     candidates = np.flatnonzero(free & (importance < least))
     weakest = np.argsort(importance[candidates], kind="stable")[: int(MOST_MOVED * np.count_nonzero(free))]
     return candidates[weakest]

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from vectortalker.scene import STOPS, Layer
 from vectortalker.vectorize.adam import Moments, step
-from vectortalker.vectorize.level import FIRST_LOCAL
+from vectortalker.vectorize.level import FIRST_LOCAL, LID
 from vectortalker.vectorize.starts import Start
 
 MOVED = ("points", "stops", "axis")
@@ -94,7 +94,9 @@ def take(population: Population, index: NDArray[np.int64] | NDArray[np.bool_]) -
     )
 
 
-def insert(population: Population, starts: Sequence[Start], groups: NDArray[np.int64], gradient: bool) -> Population:
+def insert(
+    population: Population, starts: Sequence[Start], groups: NDArray[np.int64], gradient: bool | NDArray[np.bool_]
+) -> Population:
     """New paths on top of their groups, without moments, in the order given."""
     if not starts:
         return population
@@ -133,10 +135,15 @@ def move(
     frame: tuple[int, int],
     opaque: bool,
 ) -> None:
-    """One Adam step, then back to colours in [0, 1] and to points within `OVERHANG` of the frame (width, height)."""
+    """One Adam step, then back to colours in [0, 1] and to points within `OVERHANG` of the frame (width, height).
+
+    Lids stay: their `gradients` are set to zero.
+    """
+    lids = slice(population.below(LID), population.below(FIRST_LOCAL))
     population.age += 1
     stop_rates = np.array([rates.colour] * 3 + [0.0 if opaque else rates.opacity], np.float32)
     for name, rate in (("points", rates.points), ("stops", stop_rates), ("axis", rates.axis)):
+        gradients[name][lids] = 0
         values, moments = getattr(population, name), population.moments[name]
         step(values, gradients[name], moments, population.age, rate, rates.beta2)
     np.clip(population.stops, 0, 1, out=population.stops)

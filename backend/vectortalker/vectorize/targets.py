@@ -14,9 +14,10 @@ from vectortalker import smooth
 from vectortalker.decode import Portrait
 from vectortalker.landmarks.ibug import IrisDisc
 from vectortalker.masks import segment
+from vectortalker.scene import Layer, empty_layer
 from vectortalker.schema import Landmarks
 from vectortalker.segmenter import Segmenter
-from vectortalker.vectorize.covers import Covers, covers, no_covers
+from vectortalker.vectorize.covers import covers, with_lids
 from vectortalker.vectorize.frame import Frame, to_frame
 from vectortalker.vectorize.interior_starts import first_paths
 from vectortalker.vectorize.layering import LayerImages, layer_images, layered_level
@@ -34,8 +35,8 @@ class Targets:
     """`stack`: f32 [h, w, 3], coarse to fine; `canvas` f32 [3]; `openings`: outlines [3S, 2] in portrait px.
 
     `layers` is None where everything belongs to one `group`: without a person, or when the user wants one layer.
-    `first_paths`: what eyes and mouth hide at rest, in the coarsest level's px. `covers`: what is added
-    after the fit.
+    `first_paths`: what eyes and mouth hide at rest, and lids, in the coarsest level's px. `floor`: what is added to the
+    local layer after the fit.
     """
 
     stack: tuple[NDArray[np.float32], ...]
@@ -45,7 +46,7 @@ class Targets:
     group: int
     frame: Frame
     first_paths: Population
-    covers: Covers
+    floor: Layer
 
     def level(self, index: int, level_plan: LevelPlan) -> Level:
         """Targets of level `index` at its resolution."""
@@ -78,7 +79,7 @@ def prepare(
     points = None if landmarks is None else np.array(landmarks.points, np.float64)
     placed = None if points is None else to_frame(points, frame)
     masks = segment(picture, placed, _scaled_alpha(portrait, frame), segmenter)
-    nothing, bare = empty_population(settings.segments), no_covers(settings.segments)
+    nothing, bare = empty_population(settings.segments), empty_layer(settings.segments)
     if not settings.layers or not masks.has_person:
         return Targets(stack, canvas, (), None, FORE if masks.has_person else BACK, frame, nothing, bare)
     outlines = () if points is None else tuple(outline for _, outline, _ in core.opening_outlines(points))
@@ -88,7 +89,8 @@ def prepare(
         return Targets(stack, canvas, outlines, layers, FORE, frame, nothing, bare)
     hidden = first_paths(portrait, points, frame, plans[0].frame, settings.paths, settings.segments)
     tops = covers(landmarks, portrait.rgb, settings.paths, settings.segments)
-    return Targets(stack, canvas, outlines, layers, FORE, frame, hidden, tops)
+    first = with_lids(hidden, tops.fore, frame, plans[0].frame)
+    return Targets(stack, canvas, outlines, layers, FORE, frame, first, tops.local)
 
 
 def _scaled_alpha(portrait: Portrait, frame: Frame) -> NDArray[np.uint8] | None:
