@@ -3,8 +3,8 @@ import type { JSX } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import { Button } from '../shell/Button';
 import { scene, track } from '../store/state';
-import { cancel, type ExportKind, exporting, looped, prepare, start, videoSize } from './exporting';
-import { forecastText } from './forecast';
+import { cancel, type Exporting, type ExportKind, exporting, looped, prepare, prepareLighter, start, videoSize } from './exporting';
+import { forecastText, sizeText } from './forecast';
 import './export.css';
 
 const KINDS: readonly { readonly kind: ExportKind; readonly label: string; readonly about: string; readonly moves: boolean }[] = [
@@ -16,6 +16,7 @@ const KINDS: readonly { readonly kind: ExportKind; readonly label: string; reado
 ];
 const VIDEO_SIZES = [360, 512, 720, 1080];
 const LARGE_BYTES = 5_000_000; // slow to open on a phone
+const HEAVY_BYTES = 1_000_000; // a second on a slow line
 
 export function ExportMenu(): JSX.Element {
   const details = useRef<HTMLDetailsElement>(null);
@@ -90,6 +91,7 @@ function Course(): JSX.Element | null {
       {now.kind === 'ready' && (
         <>
           <p>{now.forecast ? forecastText(now.forecast) : 'This browser cannot encode it; the server will render it.'}</p>
+          {now.inFull && <p class="export-note">Lighter, with fewer keyframes: in full it would be {sizeText(now.inFull.bytes)}.</p>}
           {now.note && <p class="export-note">{now.note}</p>}
           {now.forecast && now.forecast.bytes > LARGE_BYTES && (
             <p class="export-note">Large for the web: a shorter track or a video is lighter.</p>
@@ -103,11 +105,16 @@ function Course(): JSX.Element | null {
             Download
           </Button>
         )}
+        {now.kind === 'ready' && canBeLighter(now) && <Button onClick={() => prepareLighter()}>Make it lighter</Button>}
         <Button onClick={cancel}>Cancel</Button>
       </div>
     </div>
   );
 }
+
+/** Animated SVG that is worth it, once. */
+const canBeLighter = ({ what, forecast, inFull }: Exporting & { readonly kind: 'ready' }) =>
+  (what === 'animated' || what === 'page') && !inFull && forecast !== null && forecast.bytes > HEAVY_BYTES;
 
 /** Closes on Escape and on a press outside, unless something is being exported. */
 function closeOnLeave(details: { readonly current: HTMLDetailsElement | null }): () => void {

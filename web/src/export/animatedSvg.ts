@@ -11,10 +11,15 @@ const TOLERANCE = 0.5; // portrait pixels, for portraits up to TOLERANCE_SIDE
 const TOLERANCE_SIDE = 1024; // the longer side that a portrait is shown with at most, nearly always
 const SAMPLED_PATHS = 8; // a forecast writes one path of so many
 
-export type SvgTiming = { readonly looped: boolean; readonly durationSeconds: number };
+export type SvgTiming = {
+  readonly looped: boolean;
+  readonly durationSeconds: number;
+  /** Times the usual tolerance that points may be off between keyframes. */
+  readonly coarseness: number;
+};
 
 /** Script-free animated SVG of the first `durationSeconds` of the track. */
-export function animatedSvg(score: Score, { looped, durationSeconds }: SvgTiming): string {
+export function animatedSvg(score: Score, { looped, durationSeconds, coarseness }: SvgTiming): string {
   const { core, width, height, fills } = drawingOf(score.scene);
   const rig = buildRig(score.scene, score.landmarks);
   try {
@@ -24,7 +29,7 @@ export function animatedSvg(score: Score, { looped, durationSeconds }: SvgTiming
       all.set(verticesAt({ ...score, rig }, (frame / (count - 1)) * durationSeconds), frame * rig.restVertices.length);
     const text = rig.animatedSvg(core, all, {
       durationSeconds,
-      tolerance: TOLERANCE * Math.max(1, Math.max(width, height) / TOLERANCE_SIDE),
+      tolerance: coarseness * TOLERANCE * Math.max(1, Math.max(width, height) / TOLERANCE_SIDE),
       looped,
       title: score.name,
       description: `Animated vector portrait of ${fills.length} paths. Made with VectorTalker.`,

@@ -7,6 +7,7 @@ import { clip, sound } from '../speech/sound';
 import { rigModuleReady, standing } from '../stage/posing';
 import { announce, report } from '../store/notices';
 import { edit, history, scene, track } from '../store/state';
+import type { SvgTiming } from './animatedSvg';
 import { evenSize } from './canvas';
 import type { VideoKind } from './container';
 import { type Forecast, forecastVideo } from './forecast';
@@ -31,6 +32,8 @@ export type Exporting =
       readonly kind: 'ready';
       readonly what: ExportKind;
       readonly forecast: Forecast | null;
+      /** What it would be in full, where it is made lighter. */
+      readonly inFull: Forecast | null;
       readonly maker: Maker;
       readonly note: string | null;
     }
@@ -38,6 +41,7 @@ export type Exporting =
 
 const FPS = 25;
 const BASE64_GROWTH = 4 / 3;
+const LIGHTER = 3; // times the tolerance: a pixel and a half of a portrait of 1024
 
 export const exporting = state<Exporting>({ kind: 'idle' });
 /** Longer side of a video in pixels. */
@@ -46,14 +50,24 @@ export const looped = state(true);
 
 let stopper = new AbortController();
 
-/** Probes and samples; ends in `ready`, from where `start` goes on. */
+/** Probes and samples; ends in `ready`, from where `start` goes on, or `prepareLighter` for animated SVG. */
 export async function prepare(what: ExportKind): Promise<void> {
+  await makeReady(what, null);
+}
+
+/** The same with fewer keyframes. */
+export async function prepareLighter(): Promise<void> {
+  const now = exporting.value;
+  if (now.kind === 'ready') await makeReady(now.what, now.forecast);
+}
+
+async function makeReady(what: ExportKind, inFull: Forecast | null): Promise<void> {
   const { signal } = begin({ kind: 'measuring', what });
   await attempt(signal, async () => {
     await painted();
-    const { forecast, maker } = await measured(what, signal);
+    const { forecast, maker } = await measured(what, svgTiming(inFull), signal);
     const note = [await soundNote(what), layerNote(maker)].filter(Boolean).join(' ') || null;
-    if (!signal.aborted) exporting.value = { kind: 'ready', what, forecast, maker, note };
+    if (!signal.aborted) exporting.value = { kind: 'ready', what, forecast, inFull, maker, note };
   });
 }
 
@@ -61,11 +75,11 @@ export async function prepare(what: ExportKind): Promise<void> {
 export async function start(): Promise<void> {
   const ready = exporting.value;
   if (ready.kind !== 'ready') return;
-  const { what, maker, forecast } = ready;
+  const { what, maker, forecast, inFull } = ready;
   const { signal } = begin({ kind: 'working', what, progress: 0 });
   await attempt(signal, async () => {
     await painted();
-    const file = await made(what, maker, forecast, signal);
+    const file = await made({ what, maker, forecast, timing: svgTiming(inFull) }, signal);
     download(file.data, file.name);
     announce(`Exported ${file.name}`);
     exporting.value = { kind: 'idle' };
@@ -95,14 +109,14 @@ async function attempt(signal: AbortSignal, work: () => Promise<void>): Promise<
   }
 }
 
-async function measured(what: ExportKind, signal: AbortSignal): Promise<{ forecast: Forecast | null; maker: Maker }> {
+async function measured(what: ExportKind, timing: SvgTiming, signal: AbortSignal): Promise<{ forecast: Forecast | null; maker: Maker }> {
   switch (what) {
     case 'svg':
       return { forecast: { bytes: still().length, seconds: 0 }, maker: 'browser' };
     case 'animated':
-      return { forecast: await forecastAnimatedSvg(score(), svgTiming(), signal), maker: 'browser' };
+      return { forecast: await forecastAnimatedSvg(score(), timing, signal), maker: 'browser' };
     case 'page': {
-      const { bytes, seconds } = await forecastAnimatedSvg(score(), svgTiming(), signal);
+      const { bytes, seconds } = await forecastAnimatedSvg(score(), timing, signal);
       return { forecast: { bytes: bytes + BASE64_GROWTH * (clip.value?.data.size ?? 0), seconds }, maker: 'browser' };
     }
     case 'mp4':
@@ -132,7 +146,9 @@ function layerNote(maker: Maker): string | null {
   return maker === 'server' && !areOpaque(edit.value.layers) ? 'Layers come out opaque: the server paints no see-through layers.' : null;
 }
 
-async function made(what: ExportKind, maker: Maker, forecast: Forecast | null, signal: AbortSignal): Promise<{ data: Blob; name: string }> {
+type Making = { readonly what: ExportKind; readonly maker: Maker; readonly forecast: Forecast | null; readonly timing: SvgTiming };
+
+async function made({ what, maker, forecast, timing }: Making, signal: AbortSignal): Promise<{ data: Blob; name: string }> {
   const { name } = edit.value;
   switch (what) {
     case 'svg':
@@ -141,8 +157,8 @@ async function made(what: ExportKind, maker: Maker, forecast: Forecast | null, s
     case 'page': {
       const spoken = what === 'page' ? clip.value : null;
       const onProgress = (progress: number) => tell(what, progress, signal);
-      const timing = { ...svgTiming(), looped: looped.value && !spoken }; // the sound repeats, and the picture follows it
-      const text = await writeAnimatedSvg(score(), timing, forecast?.seconds ?? 0, signal, onProgress);
+      const turns = { ...timing, looped: looped.value && !spoken }; // the sound repeats, and the picture follows it
+      const text = await writeAnimatedSvg(score(), turns, forecast?.seconds ?? 0, signal, onProgress);
       if (what === 'animated') return { data: new Blob([text], { type: 'image/svg+xml' }), name: `${name}-animated.svg` };
       const pageSound = spoken && { data: spoken.data, mediaType: mediaTypeOf(spoken.name), looped: looped.value };
       return { data: new Blob([await pageFile(text, name, pageSound)], { type: 'text/html' }), name: `${name}.html` };
@@ -164,7 +180,11 @@ function tell(what: ExportKind, progress: number, signal: AbortSignal): void {
   if (!signal.aborted) exporting.value = { kind: 'working', what, progress };
 }
 
-const svgTiming = () => ({ looped: looped.value, durationSeconds: track.value?.duration ?? 0 });
+const svgTiming = (inFull: Forecast | null): SvgTiming => ({
+  looped: looped.value,
+  durationSeconds: track.value?.duration ?? 0,
+  coarseness: inFull ? LIGHTER : 1,
+});
 const videoOptions = (kind: VideoKind): VideoOptions => ({ kind, fps: FPS, longerSide: videoSize.value });
 
 function score(): Score {

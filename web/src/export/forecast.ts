@@ -19,10 +19,13 @@ export async function forecastVideo(performance: Performance, options: VideoOpti
   return { bytes: sample.size * scale + soundBytes, seconds: (now() - start) * scale };
 }
 
-/** `1.4 MB, about 3 s`. */
+/** `about 1.4 MB, 3 s`. */
 export function forecastText({ bytes, seconds }: Forecast): string {
-  const size = bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1000))} kB` : `${(bytes / 1e6).toFixed(1)} MB`;
-  return `about ${size}, ${seconds < 1 ? 'under a second' : `${Math.round(seconds)} s`}`;
+  return `about ${sizeText(bytes)}, ${seconds < 1 ? 'under a second' : `${Math.round(seconds)} s`}`;
 }
+
+/** `1.4 MB`, `320 kB`. */
+export const sizeText = (bytes: number): string =>
+  bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1000))} kB` : `${(bytes / 1e6).toFixed(1)} MB`;
 
 const now = () => globalThis.performance.now() / 1000;
