@@ -2,6 +2,7 @@
 
 const TOLERANCE = 2; // of 255, in any channel
 const BORDER = 2; // screen pixels of antialiasing along a triangle
+const MOST_PLACES = 20;
 
 /** Pixels of two equally large PNGs that differ. */
 export async function changedPixels(page, before, after) {
@@ -18,11 +19,12 @@ export function triangleChanges(page, meshBefore, meshAfter, before, after) {
     shots: [before.toString('base64'), after.toString('base64')],
     tolerance: TOLERANCE,
     border: BORDER,
+    mostPlaces: MOST_PLACES,
   });
 }
 
 /** Runs in the page. */
-async function countChanges({ meshes, shots, tolerance, border }) {
+async function countChanges({ meshes, shots, tolerance, border, mostPlaces }) {
   const decode = async (base64) => {
     const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
     const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
@@ -49,9 +51,13 @@ async function countChanges({ meshes, shots, tolerance, border }) {
   const inMoved = cover(moved.flatMap((index) => [rest[index], posed[index]]));
   const inBeside = cover(beside.map((index) => rest[index]));
   const counts = { triangles: indices.length, movedTriangles: moved.length, inside: 0, beside: 0, elsewhere: 0 };
+  const places = []; // of the first changes elsewhere, with the change of each channel
   for (let at = 0; at < p.data.length; at += 4) {
-    if ([0, 1, 2].every((channel) => Math.abs(p.data[at + channel] - q.data[at + channel]) <= tolerance)) continue;
-    counts[inMoved[at + 3] ? 'inside' : inBeside[at + 3] ? 'beside' : 'elsewhere'] += 1;
+    const changes = [0, 1, 2].map((channel) => q.data[at + channel] - p.data[at + channel]);
+    if (changes.every((change) => Math.abs(change) <= tolerance)) continue;
+    const where = inMoved[at + 3] ? 'inside' : inBeside[at + 3] ? 'beside' : 'elsewhere';
+    counts[where] += 1;
+    if (where === 'elsewhere' && places.length < mostPlaces) places.push([(at / 4) % p.width, Math.floor(at / 4 / p.width), ...changes]);
   }
-  return counts;
+  return { ...counts, places };
 }

@@ -33,7 +33,8 @@ const settled = (page) => page.evaluate(() => new Promise((done) => requestAnima
 async function pictureShot(page, path) {
   const show = (visibility) =>
     page.evaluate((value) => {
-      for (const element of document.querySelectorAll('.overlay, .stage-options, .hint, .stage-messages')) element.style.visibility = value;
+      for (const element of document.querySelectorAll('.overlay, .insets, .stage-options, .hint, .stage-messages'))
+        element.style.visibility = value;
     }, visibility);
   const display = (value) =>
     page.evaluate((next) => {

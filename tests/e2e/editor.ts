@@ -71,7 +71,7 @@ export async function pictureShot(page: Page): Promise<Buffer> {
 /** By the style object: the page's policy forbids style sheets from elsewhere. */
 function showAbovePicture(page: Page, visibility: 'hidden' | ''): Promise<void> {
   return page.evaluate((value) => {
-    for (const element of document.querySelectorAll<HTMLElement>('.overlay, .stage-options, .hint, .stage-messages'))
+    for (const element of document.querySelectorAll<HTMLElement>('.overlay, .insets, .stage-options, .hint, .stage-messages'))
       element.style.visibility = value;
   }, visibility);
 }
