@@ -14,6 +14,7 @@ import vectortalker_core as core
 from numpy.typing import NDArray
 
 from vectortalker.oklab import to_oklab, to_srgb
+from vectortalker.patch import Patch
 from vectortalker.schema import LocalPath, Part, SolidFill
 
 SEGMENTS = 8
@@ -34,6 +35,7 @@ REDDER = np.array([0.08, 0.02])  # OKLab a, b
 HUE_WEIGHT, MAX_SNAP = 3.0, 0.3
 MOST_SMILE_GAPE = 0.4  # height over width of the opening; lower teeth and tongue are seen in a wider one
 FLOOR_GAP, FLOOR_REACH = 0.03, 0.3  # of the inner mouth's width: below the lip line, and beyond the corners
+WHITEST = 70  # percentile of lightness within an eye above which it is white
 BALL_SCALE = 1.3  # an eyeball's disc against the opening's width
 
 
@@ -52,11 +54,11 @@ class Blob:
     squareness: float  # exponent of the superellipse: 2 is an ellipse
 
 
-# Sized for a jaw drop of .55 mouth widths. Teeth are seen .14 (upper) and .07 (lower) high, hidden above by the lip.
+# Sized for a jaw drop of .55 mouth widths. Teeth are seen .1 (upper) and .04 (lower) high, hidden above by the lip.
 TEETH_AND_TONGUE = (
-    Blob("mouth_lower", -0.36, 0.36, -0.09, 0.2, 4.0),
+    Blob("mouth_lower", -0.36, 0.36, -0.05, 0.2, 4.0),
     Blob("tongue", -0.3, 0.3, -0.05, 0.4, 2.2),
-    Blob("mouth_upper", -0.42, 0.42, -0.2, 0.14, 4.0),
+    Blob("mouth_upper", -0.42, 0.42, -0.2, 0.1, 4.0),
 )
 
 
@@ -76,8 +78,8 @@ def mouth_interior(points: NDArray[np.float64], rgb: NDArray[np.uint8]) -> list[
     return [cavity, *(_band(blob, points, colours[blob.part]) for blob in TEETH_AND_TONGUE)]
 
 
-def smile_floor(points: NDArray[np.float64], rgb: NDArray[np.uint8]) -> list[tuple[Array, Array]]:
-    """A dark floor below what a smile shows, as an outline [n, 2] with its OKLab colour; none for other mouths.
+def smile_floor(points: NDArray[np.float64], rgb: NDArray[np.uint8]) -> list[Patch]:
+    """A dark floor below what a smile shows; none for other mouths.
 
     The teeth of a smile stay with the skull when the jaw drops, and their paths go on below the lip that hid them.
     """
@@ -91,7 +93,7 @@ def smile_floor(points: NDArray[np.float64], rgb: NDArray[np.uint8]) -> list[tup
     lip = points[[60, 67, 66, 65, 64]] + FLOOR_GAP * down
     ends = lip[[-1, 0]] + np.array([1, -1])[:, None] * across * FLOOR_REACH
     corners = np.concatenate([ends[1:], lip, ends[:1], ends[:1] + down, ends[1:] + down])
-    return [(corners, cavity_colour(rgb, inside))]
+    return [Patch(corners, cavity_colour(rgb, inside))]
 
 
 def eyeballs(points: NDArray[np.float64], rgb: NDArray[np.uint8]) -> list[LocalPath]:
@@ -106,7 +108,7 @@ def eyeballs(points: NDArray[np.float64], rgb: NDArray[np.uint8]) -> list[LocalP
             low, high = outline.min(axis=0), outline.max(axis=0)
             radius = BALL_SCALE * (high[0] - low[0]) / 2
             ring = (low + high) / 2 + radius * _unit_ring(2.0)
-            balls.append(_closed_path(parts[name], ring, _light_half(rgb, inside)))
+            balls.append(_closed_path(parts[name], ring, _white(rgb, inside)))
     return balls
 
 
@@ -168,9 +170,9 @@ def cavity_colour(rgb: NDArray[np.uint8], inside: NDArray[np.bool_]) -> NDArray[
     return dark * min(1.0, MAX_CAVITY_LIGHTNESS / max(dark[0], 1e-6))
 
 
-def _light_half(rgb: NDArray[np.uint8], inside: NDArray[np.bool_]) -> NDArray[np.float64]:
+def _white(rgb: NDArray[np.uint8], inside: NDArray[np.bool_]) -> NDArray[np.float64]:
     lab = to_oklab(rgb[inside] / 255)
-    return np.median(lab[lab[:, 0] >= np.percentile(lab[:, 0], 60)], axis=0)
+    return np.median(lab[lab[:, 0] >= np.percentile(lab[:, 0], WHITEST)], axis=0)
 
 
 def _cavity(

@@ -1,4 +1,4 @@
-"""A drawing's eyes get lids in its own skin and line colours, hidden by the eyeballs until the eyes close.
+"""A drawing's eyes get lids and lash lines in its own colours, hidden by the eyeballs until the eyes close.
 
 Where skin is of one colour, what lies round an eye are lines: warped shut, the arch of a lash line crumples into a
 blot, which a lid covers. Shaded skin keeps the lids that are warped from the picture, which carry its shading.
@@ -12,24 +12,26 @@ from numpy.typing import NDArray
 
 from vectortalker.landmarks.drawn import cheeks, colour_of_most
 from vectortalker.oklab import to_oklab
-from vectortalker.rig import build_rig
-from vectortalker.schema import Landmarks, Pose, Scene
+from vectortalker.patch import Patch
+from vectortalker.schema import Landmarks
 
 PLAIN = 0.015  # OKLab distance within which skin is of one colour …
 LEAST_PLAIN = 0.75  # … for this share of the cheeks; flat drawings have .8 to 1, paintings and photographs up to .3
-INSET = 0.92  # of the opening's size: the rig takes what lies wholly within an opening for a lid
-SHUT = Pose(articulators={"blink_left": 1, "blink_right": 1})
-LINE_SPAN = (0.1, 0.9)  # of the line along which the lids meet
-LINE_STEPS = 32
-LINE_THICKNESS = 0.09  # of the mean of the eye's width and height
+INSET = 0.92  # of the opening's size: the rig takes what lies wholly within an opening for a cover of the eye
+FADE = 0.3  # of the lid's height: strands of hair above the eye end softly on the lid
+NEAR = 0.3  # of the eye's width: skin this far around it …
+LIKE_SKIN = 0.08  # … and this like the cheeks' in OKLab gives the lid its colour
+LASH_SPAN = (0.08, 0.92)  # of the upper edge
+LASH_STEPS = 32
+LASH_STRIP = (0.05, 0.13)  # of the way from the upper to the lower edge; the rig takes the first fifth for lashes
 DARKEST = 5  # per cent of the eye and what is around it
 CHORDS = 16  # a cubic
 
 Array = NDArray[np.float64]
 
 
-def lids(landmarks: Landmarks, rgb: NDArray[np.uint8]) -> list[tuple[Array, Array]]:
-    """Skin and lash line of each eye on `rgb` u8 [H, W, 3], in painter's order: outlines [n, 2] in px, OKLab colours.
+def lids(landmarks: Landmarks, rgb: NDArray[np.uint8]) -> list[Patch]:
+    """Lid and lash line of each eye on `rgb` u8 [H, W, 3], in painter's order.
 
     None for shaded skin, and none for an eye that rests shut.
     """
@@ -38,39 +40,54 @@ def lids(landmarks: Landmarks, rgb: NDArray[np.uint8]) -> list[tuple[Array, Arra
     if skin is None:
         return []
     patches = []
-    for (_, outline, closed), meeting in zip(core.opening_outlines(points)[:2], _shut(landmarks, rgb), strict=True):
+    for _, outline, closed in core.opening_outlines(points)[:2]:
         if not closed:
-            opening, line = _polyline(outline), _polyline(meeting)
-            middle = (opening.min(axis=0) + opening.max(axis=0)) / 2
-            patches.append((middle + INSET * (opening - middle), skin))
-            crescent = _crescent(line[: len(line) // 2 + 1], LINE_THICKNESS * float(np.ptp(opening, axis=0).mean()))
-            patches.append((crescent, _line_colour(rgb, opening)))
+            opening = _polyline(outline)
+            patches += [_lid(opening, skin, rgb), Patch(_lash_line(opening), _line_colour(rgb, opening))]
     return patches
 
 
-def _shut(landmarks: Landmarks, rgb: NDArray[np.uint8]) -> list[Array]:
-    """Outlines [3S, 2] of the eyes as the rig closes them."""
-    empty = Scene(width=rgb.shape[1], height=rgb.shape[0], canvas="#000000", back=[], fore=[], local=[])
-    rig = build_rig(empty, landmarks)
-    return rig.openings(rig.vertices(SHUT).vertices)[:2]
+def _lid(opening: Array, skin: Array, rgb: NDArray[np.uint8]) -> Patch:
+    low, high = opening.min(axis=0), opening.max(axis=0)
+    middle = (low + high) / 2
+    outline = middle + INSET * (opening - middle)
+    top = opening[len(opening) // 4]
+    bottom = opening[-len(opening) // 4]
+    return Patch(outline, _colour_around(rgb, opening, skin), np.stack([top, top + FADE * (bottom - top)]))
 
 
-def _crescent(line: Array, thickness: float) -> Array:
-    """There along the line and back below it, `thickness` apart in the middle."""
-    at = np.linspace(*LINE_SPAN, LINE_STEPS) * (len(line) - 1)
-    along = np.stack([np.interp(at, np.arange(len(line)), axis) for axis in line.T], axis=1)
-    across = line[-1] - line[0]
-    up = np.array([across[1], -across[0]]) / np.linalg.norm(across)
-    bow = thickness / 2 * np.sqrt(np.sin(np.pi * np.linspace(0, 1, LINE_STEPS)))[:, None] * up
-    return np.concatenate([along + bow, (along - bow)[::-1]])
+def _colour_around(rgb: NDArray[np.uint8], opening: Array, skin: Array) -> Array:
+    """Median OKLab of skin beside the opening, which may lie in a fringe's shade."""
+    margin = NEAR * float(np.ptp(opening[:, 0]))
+    pixels = _rectangle(rgb, opening.min(axis=0) - margin, opening.max(axis=0) + margin)
+    like = pixels[np.linalg.norm(pixels - skin, axis=1) < LIKE_SKIN]
+    return np.median(like, axis=0) if len(like) else skin
+
+
+def _lash_line(opening: Array) -> Array:
+    """There along the strip's upper side and back along its lower one, pointed at both ends."""
+    half = len(opening) // 2
+    upper, lower = opening[: half + 1], np.roll(opening[::-1], 1, axis=0)[: half + 1]
+    at = np.linspace(*LASH_SPAN, LASH_STEPS) * half
+    upper, lower = (
+        np.stack([np.interp(at, np.arange(half + 1), v) for v in edge.T], axis=1) for edge in (upper, lower)
+    )
+    bow = np.sqrt(np.sin(np.pi * np.linspace(0, 1, LASH_STEPS)))[:, None]
+    top, thickness = LASH_STRIP[0], (LASH_STRIP[1] - LASH_STRIP[0]) * bow
+    return np.concatenate([upper + top * (lower - upper), (upper + (top + thickness) * (lower - upper))[::-1]])
 
 
 def _line_colour(rgb: NDArray[np.uint8], opening: Array) -> Array:
     """OKLab of what is darkest in the eye's rectangle: lash line, outline or pupil."""
-    left, top = np.floor(opening.min(axis=0)).astype(int).clip(0)
-    right, bottom = np.ceil(opening.max(axis=0)).astype(int)
-    lab = to_oklab(rgb[top:bottom, left:right].reshape(-1, 3) / 255)
+    lab = _rectangle(rgb, opening.min(axis=0), opening.max(axis=0))
     return np.median(lab[lab[:, 0] <= np.percentile(lab[:, 0], DARKEST)], axis=0)
+
+
+def _rectangle(rgb: NDArray[np.uint8], low: Array, high: Array) -> Array:
+    """OKLab [n, 3] of the pixels between two corners."""
+    left, top = np.floor(low).astype(int).clip(0)
+    right, bottom = np.ceil(high).astype(int)
+    return to_oklab(rgb[top:bottom, left:right].reshape(-1, 3) / 255)
 
 
 def _polyline(chain: Array) -> Array:

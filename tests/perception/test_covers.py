@@ -34,7 +34,7 @@ def test_lids_lie_within_the_eyes_and_stay_when_these_close(sample: Sample, name
     portrait = sample(name)
     face = face_of(portrait)
     made = covers(face, portrait.rgb, 500, SEGMENTS).fore
-    assert len(made) == 4, "skin and a line for each eye"
+    assert len(made) == 4, "skin and a lash line for each eye"
     openings = [coverage(o, portrait) for _, o, _ in core.opening_outlines(np.array(face.points))]
     fill = SolidFill(colour="#000000")
     fore = [ScenePath(points=chain.ravel().astype(float).tolist(), fill=fill) for chain in made.points]
@@ -42,18 +42,32 @@ def test_lids_lie_within_the_eyes_and_stay_when_these_close(sample: Sample, name
     rig = build_rig(scene, face)
     shut = rig.vertices(Pose(articulators={"blink_left": 1, "blink_right": 1}))
     assert shut.scale == 1
-    assert rig.moved_points(shut.vertices) == {}
+    moved = rig.moved_points(shut.vertices)
+    assert list(moved) == [1, 3], "lash lines come down, lids stay"
     for eye, opening in enumerate(openings[:2]):
-        skin = coverage(made.points[2 * eye], portrait)
-        assert (opening[skin > 0] == 1).mean() > 0.97, "what is seen at rest is the eyeball"
+        skin, lash = (coverage(made.points[2 * eye + k], portrait) for k in (0, 1))
+        for cover in (skin, lash):
+            assert (cover * (1 - opening)).sum() < 0.02 * cover.sum(), "what is seen at rest is the eyeball"
         assert skin.sum() > 0.75 * opening.sum(), "what is seen when shut is the lid"
+        meeting = rig.openings(shut.vertices)[eye]
+        span = np.ptp(meeting, axis=0).max()
+        low, high = (moved[2 * eye + 1][:, 1].max(), meeting[:, 1].max())
+        assert abs(low - high) < 0.2 * span, "the lash line ends where the lids meet"
 
 
 def test_lids_have_the_skins_and_the_lines_colours(sample: Sample) -> None:
     portrait = sample("eileen.png")
-    (_, skin), (_, line), *_ = lids(face_of(portrait), portrait.rgb)
-    assert np.abs(to_srgb(skin) - np.array([252, 238, 224]) / 255).max() < 0.05
-    assert to_srgb(line).max() < 0.3
+    skin, line, *_ = lids(face_of(portrait), portrait.rgb)
+    assert np.abs(to_srgb(skin.lab) - np.array([252, 238, 224]) / 255).max() < 0.05
+    assert to_srgb(line.lab).max() < 0.3
+
+
+def test_lids_come_up_softly_from_their_upper_edge(sample: Sample) -> None:
+    portrait = sample("eileen.png")
+    made = covers(face_of(portrait), portrait.rgb, 500, SEGMENTS).fore
+    assert made.gradient.tolist() == [True, False, True, False]
+    assert (made.stops[0, 0, 3], made.stops[0, -1, 3]) == (0, 1)
+    assert made.axis[0, 1] < made.axis[0, 3], "downwards"
 
 
 @pytest.mark.parametrize("name", ["astronaut.jpg", "mona-lisa.jpg"])
@@ -65,8 +79,8 @@ def test_shaded_skin_closes_by_itself(sample: Sample, name: str) -> None:
 def test_floor_lies_below_what_a_smile_shows(sample: Sample) -> None:
     portrait = sample("astronaut.jpg")
     points = np.array(face_of(portrait).points)
-    ((_, lab),) = smile_floor(points, portrait.rgb)
-    assert lab[0] < 0.31
+    (patch,) = smile_floor(points, portrait.rgb)
+    assert patch.lab[0] < 0.31
     (floor,) = covers(face_of(portrait), portrait.rgb, 500, SEGMENTS).local.points
     _, mouth, _ = core.opening_outlines(points)[2]
     seen = coverage(floor, portrait) * coverage(mouth, portrait)

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from vectortalker.interior import smile_floor
 from vectortalker.lids import lids
 from vectortalker.oklab import to_srgb
+from vectortalker.patch import Patch
 from vectortalker.scene import NO_PART, PARTS, STOPS, Layer, empty_layer
 from vectortalker.schema import Landmarks
 from vectortalker.vectorize.frame import Frame, layer_to_level
@@ -24,12 +25,10 @@ from vectortalker.vectorize.starts import Start, through_samples
 MOST_SHARE = 0.05  # of the path budget; a sketch of fewer paths has none to spare for what is hidden
 UPPER_TEETH = PARTS.index("mouth_upper")
 
-Patches = list[tuple[NDArray[np.float64], NDArray[np.float64]]]  # closed outlines [n, 2] in portrait px, OKLab colours
-
 
 @dataclass(frozen=True)
 class Covers:
-    """Opaque paths in portrait px for the top of the fore and of the local layer."""
+    """Paths in portrait px for the top of the fore and of the local layer."""
 
     fore: Layer
     local: Layer
@@ -48,7 +47,7 @@ def covers(landmarks: Landmarks, rgb: NDArray[np.uint8], budget: int, segments: 
     eyes = lids(landmarks, rgb)
     if len(floor) + len(eyes) > MOST_SHARE * budget:
         return no_covers(segments)
-    return Covers(_opaque(eyes, NO_PART, segments), _opaque(floor, UPPER_TEETH, segments))
+    return Covers(_layer(eyes, NO_PART, segments), _layer(floor, UPPER_TEETH, segments))
 
 
 def with_lids(population: Population, lids: Layer, frame: Frame, level: tuple[int, int]) -> Population:
@@ -69,15 +68,20 @@ def with_covers(layer: Layer, top: Layer) -> Layer:
     )
 
 
-def _opaque(patches: Patches, part: int, segments: int) -> Layer:
+def _layer(patches: list[Patch], part: int, segments: int) -> Layer:
     n = len(patches)
     if not n:
         return empty_layer(segments)
-    colours = np.array([np.append(to_srgb(lab), 1) for _, lab in patches], np.float32)
+    colours = np.array([np.append(to_srgb(patch.lab), 1) for patch in patches], np.float32)
+    stops = np.repeat(colours[:, None], STOPS, axis=1)
+    fading = np.array([patch.fade is not None for patch in patches])
+    stops[fading, :, 3] = np.linspace(0, 1, STOPS)
+    axes = [np.zeros(4) if patch.fade is None else patch.fade.ravel() for patch in patches]
+    outlines = [np.concatenate([patch.outline, patch.outline[:1]]) for patch in patches]
     return Layer(
-        np.stack([through_samples(np.concatenate([outline, outline[:1]]), segments) for outline, _ in patches]),
-        np.repeat(colours[:, None], STOPS, axis=1),
-        np.zeros((n, 4), np.float32),
-        np.zeros(n, np.bool_),
+        np.stack([through_samples(outline, segments) for outline in outlines]),
+        stops,
+        np.array(axes, np.float32),
+        fading,
         np.full(n, part),
     )

@@ -2,12 +2,12 @@
 
 use crate::binding::{Bindings, Influence};
 use crate::joints::{Joint, Strains, repair, smooth_joints};
-use crate::local::influences;
-use crate::mesh::Mesh;
+use crate::local::{Part, influences, socket};
 use crate::mesh::grid::{Grid, bounds};
+use crate::mesh::{Mesh, VertexSet};
 use crate::point::Point;
 use crate::scene::{Layer, SceneGeometry};
-use crate::sockets::Sockets;
+use crate::sockets::{Cover, Sockets};
 use crate::split::{Anchor, SplitPath, keep_path, split_path};
 
 #[derive(Clone, Copy, Debug)]
@@ -32,6 +32,8 @@ pub struct BoundPaths {
     points: Vec<Point>,
     bindings: Bindings,
     strains: Strains,
+    /// Vertices of lids that have covers of their own, each with its place in the socket.
+    stilled: Vec<(usize, Vec<Influence>)>,
 }
 
 #[derive(Clone, Debug)]
@@ -40,6 +42,8 @@ struct BoundPath {
     end: usize,
     /// Vertices that move it, ascending.
     vertices: Vec<usize>,
+    /// Whether it goes with the mesh and rests where lids are stilled.
+    skin: bool,
     /// Joints whose kinks are repaired.
     smooth: Vec<Joint>,
 }
@@ -55,54 +59,79 @@ pub struct Frame {
 }
 
 impl BoundPaths {
-    /// Binds the fore to the mesh, local paths and lids to their bones; `moving` marks the vertices that can ever move.
+    /// Binds the fore to the mesh of `set`, local paths and covers of the eyes to their bones.
     #[must_use]
-    pub fn bind(scene: &SceneGeometry, mesh: &Mesh, moving: &[Point], options: Options, mouth_closed: bool) -> Self {
-        let (low, high) = bounds(moving);
+    pub fn bind(scene: &SceneGeometry, mesh: &Mesh, set: &VertexSet, options: Options, mouth_closed: bool) -> Self {
+        let (low, high) = bounds(&set.moving());
         let grid = Grid::new(mesh, low, high);
         let sockets = Sockets::of(&mesh.rest);
-        let mut bound = Self { strains: Strains::of(mesh), ..Self::default() };
-        let mut from = 0;
-        for (&n_segments, &layer) in scene.segments.iter().zip(scene.layers) {
-            let source = &scene.points[from..from + 3 * n_segments];
-            from += source.len();
-            let bones = match layer {
-                Layer::Back => None,
-                Layer::Fore => sockets.eye_of_lid(source),
-                Layer::Local(part) => Some(part),
-            };
-            match (layer, bones) {
-                (_, Some(part)) => {
-                    bound.push(source, Vec::new(), |i| influences(part, source[i], &mesh.rest, mouth_closed));
+        let sources: Vec<(Layer, &[Point])> = scene.paths().collect();
+        let covers: Vec<Option<Cover>> = sources
+            .iter()
+            .map(|&(layer, source)| if layer == Layer::Fore { sockets.cover(source) } else { None })
+            .collect();
+        let lidded = Part::EYES.into_iter().filter(|&eye| {
+            sources
+                .iter()
+                .zip(&covers)
+                .any(|(&(_, source), &cover)| cover == Some(Cover::Lid(eye)) && sockets.is_filled(eye, source))
+        });
+        let stilled = lidded.flat_map(|eye| {
+            let place = |vertex: usize| (vertex, socket(eye.opening(), mesh.rest[vertex], &mesh.rest));
+            set.lids(eye.opening()).into_iter().map(place).collect::<Vec<_>>()
+        });
+        let mut bound = Self { strains: Strains::of(mesh), stilled: stilled.collect(), ..Self::default() };
+        for (&(layer, source), cover) in sources.iter().zip(covers) {
+            match (layer, cover) {
+                (Layer::Back, _) => bound.push(source, Vec::new(), false, |_| Vec::new()),
+                (Layer::Local(part), _) => {
+                    bound.push(source, Vec::new(), false, |i| influences(part, source[i], &mesh.rest, mouth_closed));
+                }
+                (Layer::Fore, Some(cover)) => {
+                    bound.push(source, Vec::new(), false, |i| cover.influences(source[i], &mesh.rest));
                 }
                 (Layer::Fore, None) if options.split => {
                     let path = split_path(source, mesh, &grid);
                     let smooth = if options.smooth { smooth_joints(&path, mesh) } else { Vec::new() };
-                    bound.push(&path.points, smooth, |i| piece_influences(mesh, &path, i));
+                    bound.push(&path.points, smooth, true, |i| piece_influences(mesh, &path, i));
                 }
                 (Layer::Fore, None) => {
                     let path = keep_path(source, mesh, &grid);
-                    bound.push(&path.points, Vec::new(), |i| {
+                    bound.push(&path.points, Vec::new(), true, |i| {
                         triangle_influences(mesh, grid.locate(mesh, source[i]), source[i])
                     });
                 }
-                (Layer::Back | Layer::Local(_), None) => bound.push(source, Vec::new(), |_| Vec::new()),
             }
         }
         bound
     }
 
-    fn push(&mut self, points: &[Point], smooth: Vec<Joint>, influences: impl Fn(usize) -> Vec<Influence>) {
+    fn push(&mut self, points: &[Point], smooth: Vec<Joint>, skin: bool, influences: impl Fn(usize) -> Vec<Influence>) {
         let start = self.points.len();
         let mut vertices = Vec::new();
         for i in 0..points.len() {
             self.bindings.push(&influences(i));
-            vertices.extend(self.bindings.of(start + i).iter().map(|influence| influence.vertex));
+            for influence in self.bindings.of(start + i) {
+                match self.stilled.iter().find(|(vertex, _)| skin && *vertex == influence.vertex) {
+                    Some((_, socket)) => vertices.extend(socket.iter().map(|corner| corner.vertex)),
+                    None => vertices.push(influence.vertex),
+                }
+            }
         }
         vertices.sort_unstable();
         vertices.dedup();
         self.points.extend_from_slice(points);
-        self.paths.push(BoundPath { start, end: self.points.len(), vertices, smooth });
+        self.paths.push(BoundPath { start, end: self.points.len(), vertices, skin, smooth });
+    }
+
+    /// Displacements of the vertices as skin takes them: covered lids move over it and leave it where it is.
+    fn skin_displacements(&self, displacements: &[Point]) -> Vec<Point> {
+        let mut skin = displacements.to_vec();
+        for (vertex, socket) in &self.stilled {
+            let shares = socket.iter().map(|i| displacements[i.vertex].complex_mul(i.weight));
+            skin[*vertex] = shares.fold(Point::ZERO, |sum, share| sum + share);
+        }
+        skin
     }
 
     #[must_use]
@@ -125,12 +154,13 @@ impl BoundPaths {
     /// Control points of the paths with a vertex that `moved`, for vertices displaced from rest by `displacements`.
     #[must_use]
     pub fn frame(&self, displacements: &[Point], moved: &[bool]) -> Frame {
+        let skin = self.skin_displacements(displacements);
         let mut frame = Frame { starts: vec![0], ..Frame::default() };
         for (index, path) in self.paths.iter().enumerate() {
             if !path.vertices.iter().any(|&vertex| moved[vertex]) {
                 continue;
             }
-            frame.points.extend(self.warp(path, displacements));
+            frame.points.extend(self.warp(path, if path.skin { &skin } else { displacements }));
             frame.changed.push(index);
             frame.starts.push(frame.points.len());
         }
@@ -140,7 +170,11 @@ impl BoundPaths {
     /// Control points of one path for vertices displaced from rest by `displacements`; empty when there is no such path.
     #[must_use]
     pub fn warped_path(&self, path: usize, displacements: &[Point]) -> Vec<Point> {
-        self.paths.get(path).map_or_else(Vec::new, |path| self.warp(path, displacements))
+        match self.paths.get(path) {
+            Some(path) if path.skin => self.warp(path, &self.skin_displacements(displacements)),
+            Some(path) => self.warp(path, displacements),
+            None => Vec::new(),
+        }
     }
 
     fn warp(&self, path: &BoundPath, displacements: &[Point]) -> Vec<Point> {

@@ -34,6 +34,9 @@ impl Part {
         Self::MouthUpper,
     ];
 
+    /// Eyeballs, image-left first.
+    pub const EYES: [Self; 2] = [Self::LeftEye, Self::RightEye];
+
     /// # Errors
     /// `RigError::Scene` when no part has this number.
     pub fn from_number(number: u8) -> Result<Self, RigError> {
@@ -58,8 +61,7 @@ impl Part {
 #[must_use]
 pub fn influences(part: Part, p: Point, rest: &[Point], mouth_closed: bool) -> Vec<Influence> {
     match part {
-        Part::LeftEye => similarity(p, rest, [36, 39]),
-        Part::RightEye => similarity(p, rest, [42, 45]),
+        Part::LeftEye | Part::RightEye => socket(part.opening(), p, rest),
         Part::LeftIris => carried(p, rest, IRIS, [36, 39]),
         Part::RightIris => carried(p, rest, IRIS + 1, [42, 45]),
         Part::MouthUpper => similarity(p, rest, [SKULL, SKULL + 1]),
@@ -71,6 +73,13 @@ pub fn influences(part: Part, p: Point, rest: &[Point], mouth_closed: bool) -> V
 }
 
 const OUTER_LIPS: [usize; 12] = [48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59];
+
+/// Goes with the corners of an opening.
+#[must_use]
+pub fn socket(opening: Opening, p: Point, rest: &[Point]) -> Vec<Influence> {
+    let upper = opening.upper();
+    similarity(p, rest, [upper[0], upper[upper.len() - 1]])
+}
 
 /// The similarity that takes two vertices where they go.
 fn similarity(p: Point, rest: &[Point], [c0, c1]: [usize; 2]) -> Vec<Influence> {

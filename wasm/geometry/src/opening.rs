@@ -5,6 +5,7 @@
 //! interpolating outlines are the same thing. Where upper and lower contour coincide, the outline runs back over itself
 //! and its area is exactly zero.
 
+use crate::cubic::{eval, segment};
 use crate::point::Point;
 
 /// Number of iBUG landmarks.
@@ -103,7 +104,31 @@ impl Opening {
             })
             .collect()
     }
+
+    /// The point of the upper edge nearest to `p`, and the landmarks that it is a combination of, with their weights.
+    #[must_use]
+    pub fn nearest_on_upper_edge(self, p: Point, landmarks: &[Point]) -> (Point, Vec<(usize, f64)>) {
+        let outline = self.outline(landmarks);
+        let places =
+            (0..self.upper().len() - 1).flat_map(|j| (0..=STEPS).map(move |k| (j, f64::from(k) / f64::from(STEPS))));
+        let (mut foot, mut place) = (Point::ZERO, (0, 0.0));
+        for (j, t) in places {
+            let q = eval(&segment(&outline, j), t);
+            if place == (0, 0.0) || q.distance(p) < foot.distance(p) {
+                (foot, place) = (q, (j, t));
+            }
+        }
+        let share = |landmark: usize| {
+            let mut unit = [Point::ZERO; N_LANDMARKS];
+            unit[landmark].x = 1.0;
+            eval(&segment(&self.outline(&unit), place.0), place.1).x
+        };
+        (foot, self.ring().into_iter().map(|landmark| (landmark, share(landmark))).collect())
+    }
 }
+
+/// Places of a segment among which the nearest one is looked for.
+const STEPS: u32 = 32;
 
 /// Outline of one opening at rest; `closed` openings have zero area.
 #[derive(Clone, Debug)]

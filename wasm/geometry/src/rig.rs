@@ -47,7 +47,7 @@ impl Rig {
         rig.free_lids(&closed)?;
         let expressions: Vec<Vec<Point>> = EXTREMES.iter().map(|pose| rig.vertices(&Pose::of(pose)).0).collect();
         head::relax_depth(&mut rig.set, &rig.mesh, &rig.face, &expressions);
-        rig.paths = BoundPaths::bind(scene, &rig.mesh, &rig.set.moving(), options, mouth_closed);
+        rig.paths = BoundPaths::bind(scene, &rig.mesh, &rig.set, options, mouth_closed);
         Ok(rig)
     }
 

@@ -62,6 +62,15 @@ impl SceneGeometry<'_> {
         }
     }
 
+    /// Layer and control points of every path; `check` has passed.
+    pub fn paths(&self) -> impl Iterator<Item = (Layer, &[Point])> {
+        let ends = self.segments.iter().scan(0, |end, n_segments| {
+            *end += 3 * n_segments;
+            Some(*end)
+        });
+        ends.zip(self.segments).zip(self.layers).map(|((end, n), &layer)| (layer, &self.points[end - 3 * n..end]))
+    }
+
     /// What the mesh has to cover: the picture, and control points beyond it.
     #[must_use]
     pub fn extent(&self) -> Extent {

@@ -74,6 +74,15 @@ impl VertexSet {
         self.rest.iter().zip(&self.head_weight).filter(|(_, weight)| **weight > 0.0).map(|(&rest, _)| rest).collect()
     }
 
+    /// Landmarks between an eye's corners, and the vertices that go with them.
+    #[must_use]
+    pub fn lids(&self, eye: Opening) -> Vec<usize> {
+        let lids: Vec<usize> = eye.pairs().flat_map(|(upper, lower)| [upper, lower]).collect();
+        let follows = |vertex: &usize| self.follows[*vertex].iter().any(|(landmark, _)| lids.contains(landmark));
+        let bands: Vec<usize> = (0..self.rest.len()).filter(follows).collect();
+        [lids, bands].concat()
+    }
+
     /// Leaves out vertices that only shape the mesh; `dropped` ascending, from `FIRST_SKIN` on.
     pub fn drop_vertices(&mut self, dropped: &[usize]) {
         for &vertex in dropped.iter().rev() {
