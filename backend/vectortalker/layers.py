@@ -16,7 +16,7 @@ from scipy.ndimage import binary_dilation, distance_transform_edt
 
 from vectortalker.inpaint import fill
 from vectortalker.interior import cavity_colour
-from vectortalker.landmarks.ibug import IrisDisc
+from vectortalker.irises import SeenIris, light_part, radius_map
 from vectortalker.oklab import to_srgb
 
 EDGE_PX = 2.5  # mixed pixels of a soft mask's edge belong to neither side
@@ -45,7 +45,7 @@ def targets(
     image: NDArray[np.float32],
     fore: NDArray[np.float32],
     clips: NDArray[np.float32],
-    irises: Sequence[IrisDisc] = (),
+    irises: Sequence[SeenIris] = (),
     face_height: float | None = None,
 ) -> LayerTargets:
     """Targets of f32 [H, W, 3] in 0..1; `fore` [H, W]: the person's mask, `clips` [k, H, W]: coverage of the openings.
@@ -96,7 +96,7 @@ def _closed_over(skin: NDArray[np.float32], opening: NDArray[np.bool_], plain: b
 
 
 def _completed_interior(
-    image: NDArray[np.float32], clip: NDArray[np.float32], iris: IrisDisc | None
+    image: NDArray[np.float32], clip: NDArray[np.float32], iris: SeenIris | None
 ) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
     """Eyeball or mouth interior carried on around its opening, and the region that holds it; empty for a closed one."""
     core = clip > 0.98
@@ -105,11 +105,11 @@ def _completed_interior(
     grown = _distance_to(clip > 0.5) <= BALL_GROWTH * _width(core)
     if iris is None:
         return fill(image, core.astype(np.float32)), grown
-    radius = _radius_map(iris, clip.shape)
-    sclera = core & (radius > IRIS_EDGE)
+    radius = radius_map(iris, clip.shape)
+    sclera = light_part(image, core) & (radius > IRIS_EDGE)
     ball = fill(image, (sclera if sclera.sum() >= MIN_KNOWN_PX else core).astype(np.float32))
     disc = _whole_iris(image, core, radius)
-    edge = ((IRIS_EDGE - radius) * iris.radius / EDGE_PX).clip(0, 1)[..., None].astype(np.float32)
+    edge = ((IRIS_EDGE - radius) * min(iris.radii) / EDGE_PX).clip(0, 1)[..., None].astype(np.float32)
     completed = (ball + edge * (disc - ball)).astype(np.float32)
     return _pasted(completed, image, core), grown
 
@@ -150,14 +150,8 @@ def _surroundings(opening: NDArray[np.bool_]) -> tuple[slice, slice]:
     return slice(top, int(rows[-1]) + margin + 1), slice(left, int(columns[-1]) + margin + 1)
 
 
-def _shifted(iris: IrisDisc, near: tuple[slice, slice]) -> IrisDisc:
-    return IrisDisc((iris.centre[0] - near[1].start, iris.centre[1] - near[0].start), iris.radius)
-
-
-def _radius_map(iris: IrisDisc, shape: tuple[int, ...]) -> NDArray[np.float64]:
-    """Distance of each pixel centre from the iris centre, in iris radii."""
-    y, x = np.mgrid[: shape[0], : shape[1]] + 0.5
-    return np.hypot(x - iris.centre[0], y - iris.centre[1]) / iris.radius
+def _shifted(iris: SeenIris, near: tuple[slice, slice]) -> SeenIris:
+    return SeenIris((iris.centre[0] - near[1].start, iris.centre[1] - near[0].start), iris.radii)
 
 
 def _distance_to(region: NDArray[np.bool_]) -> NDArray[np.float64]:

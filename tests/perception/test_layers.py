@@ -9,7 +9,8 @@ import vectortalker_core as core
 from vectortalker.decode import Portrait
 from vectortalker.inpaint import fill
 from vectortalker.interior import eyeballs, mouth_interior
-from vectortalker.landmarks import IrisDisc, detect
+from vectortalker.irises import SeenIris
+from vectortalker.landmarks import detect
 from vectortalker.layers import targets
 from vectortalker.oklab import to_oklab, to_srgb
 from vectortalker.vectorize.layering import layer_images
@@ -53,7 +54,7 @@ def test_eye_is_closed_with_skin_and_its_iris_completed() -> None:
     opening = (np.abs(y - 64) < 7) & (np.abs(x - 64) < 26)
     image = np.where(opening[..., None], np.where(iris[..., None], blue, white), skin).astype(np.float32)
     clips = opening[None].astype(np.float32)
-    made = targets(image, np.ones((SIDE, SIDE), np.float32), clips, [IrisDisc((64, 64), 12)], 100.0)
+    made = targets(image, np.ones((SIDE, SIDE), np.float32), clips, [SeenIris((64, 64), (12, 12))], 100.0)
     assert np.abs(made.fore - skin).max() < 1e-3
     assert np.abs(made.local[54, 64] - blue).max() < 0.02  # 10 px above the centre, under the lid
     assert np.abs(made.local[54, 40] - white).max() < 0.05

@@ -11,6 +11,7 @@ from scipy.ndimage import distance_transform_edt, maximum_filter, minimum_filter
 
 from vectortalker.inpaint import fill
 from vectortalker.interior import MOST_SMILE_GAPE
+from vectortalker.irises import CORE, light_part, radius_map, seen_iris
 from vectortalker.landmarks.ibug import IrisDisc
 from vectortalker.layers import LayerTargets, targets
 from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, LID, TOP, Completion, Level, Sheet, Silhouette
@@ -19,7 +20,6 @@ from vectortalker.vectorize.resize import resize
 
 FIRST_IRIS = FIRST_LOCAL + 2  # group of the image-left iris
 LEAST_COVERAGE = 1e-3  # a quarter of a level of 255
-CORE = 0.98  # coverage at which a pixel shows nothing but the opening's inside
 CONFINEMENT = 0.5  # weight of fore paint over scenery, against 1 for a squared error of the picture
 WHOLENESS = 0.3  # weight of the fore layer alone inside its silhouette
 HIDDEN_WEIGHT = 0.15  # of what another layer hides at rest: it shows only when the head or a lid moves
@@ -72,22 +72,25 @@ def layer_images(
     clips = np.zeros((len(outlines), height, width), np.float32)
     parts = np.full(mask.shape, FIRST_LOCAL, np.int64)
     discs = np.zeros(mask.shape, np.float32)
-    y, x = np.mgrid[:height, :width] + 0.5
     for index, outline in enumerate(outlines):
         if len(outline):
             coverage = core.coverage(outline.astype(np.float32), width, height)
             # A closed mouth's outline runs back over itself; what rounding leaves of it would move the paths it hides.
             clips[index] = np.where(coverage > LEAST_COVERAGE, coverage, 0)
         parts[clips[index] > 0] = FIRST_LOCAL + FIRST_PART[index]
-    for eye, iris in enumerate(irises):
-        inside = (np.hypot(x - iris.centre[0], y - iris.centre[1]) < iris.radius) & (clips[eye] > 0)
+    seen = [seen_iris(image, clips[eye], iris) for eye, iris in enumerate(irises)]
+    for eye, iris in enumerate(seen):
+        inside = (radius_map(iris, mask.shape) < 1) & (clips[eye] > 0)
         parts[inside] = FIRST_LOCAL + IRIS_PART[eye]
         discs[inside] = 1
     if len(clips) > MOUTH:
         _divide_mouth(parts, image, clips[MOUTH])
     face_height = None if landmarks is None else float(np.ptp(landmarks[:, 1]))
-    layers = targets(image, mask, clips, irises, face_height)
-    ball = fill(layers.local, (clips[:2].sum(axis=0) > CORE).astype(np.float32) * (1 - discs)) if len(clips) else image
+    layers = targets(image, mask, clips, seen, face_height)
+    ball = image
+    if len(clips):
+        white = np.logical_or(*(light_part(image, clip > CORE) for clip in clips[:2])) & (discs == 0)
+        ball = fill(layers.local, white.astype(np.float32))
     emphasis = np.ones(mask.shape, np.float32) if landmarks is None else emphasise(mask.shape, landmarks)
     return LayerImages(layers, ball, mask, discs, emphasis, clips, parts)
 
