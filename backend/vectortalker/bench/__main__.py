@@ -15,6 +15,7 @@ from vectortalker.bench.posed import posed_table
 from vectortalker.bench.sheets import contact_sheet
 from vectortalker.bench.tables import means, side_by_side
 from vectortalker.bench.tracers import TRACERS, available
+from vectortalker.bench.unsplit import unsplit_table
 from vectortalker.schema import VectorizeOptions
 
 TABLES: dict[str, tuple[str, dict[str, VectorizeOptions]]] = {
@@ -81,7 +82,7 @@ TABLES: dict[str, tuple[str, dict[str, VectorizeOptions]]] = {
         },
     ),
 }
-POSED = "rig"  # of what goes wrong with posed portraits; it has no ways
+POSED = {"rig": posed_table, "unsplit": unsplit_table}  # portraits as drafts, posed; these tables have no ways
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -99,8 +100,8 @@ def main(arguments: list[str] | None = None) -> int:
     report = [_conditions(people, lpips)]
     print(report[0])
     for name in options.tables.split(","):
-        if name == POSED:
-            report.append(posed_table(people, "draft", options.out / name))
+        if name in POSED:
+            report.append(POSED[name](people, "draft", options.out / "rig"))
             print(report[-1], flush=True)
             continue
         title, ways = TABLES[name]
@@ -118,7 +119,7 @@ def main(arguments: list[str] | None = None) -> int:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="vectortalker bench", description="Print the benchmark tables.")
     parser.add_argument(
-        "--tables", default="recipes", help=f"comma-separated: {', '.join((*TABLES, POSED))} (default: recipes)"
+        "--tables", default="recipes", help=f"comma-separated: {', '.join((*TABLES, *POSED))} (default: recipes)"
     )
     parser.add_argument("--ways", metavar="NAMES", help="semicolon-separated lines of the tables, all if absent")
     parser.add_argument("--quick", action="store_true", help="six portraits instead of all")
@@ -138,7 +139,7 @@ def _ways(table: str) -> list[str]:
 def _unknown(tables: str, ways: str | None) -> list[str]:
     names = tables.split(",")
     known = {way for name in names if name in TABLES for way in _ways(name)}
-    return [name for name in names if name not in (*TABLES, POSED)] + [
+    return [name for name in names if name not in (*TABLES, *POSED)] + [
         way for way in (ways or "").split(";") if way not in known | {""}
     ]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -28,9 +29,9 @@ NO_FACE = "no face found: five pins"
 
 
 def posed_table(people: Sequence[Sitter], preset: Preset, folder: Path) -> str:
-    """A line of figures per portrait; its project and its sheet go to `folder`.
+    """A line of figures per portrait; project, figures and sheet go to `folder`, and those that are there are kept.
 
-    A project that is there is not traced again, so that a change of the rig is counted in seconds a portrait.
+    Without its figures a project is posed and counted again, in seconds; without the project it is traced as well.
     """
     folder.mkdir(parents=True, exist_ok=True)
     lines = [list(COLUMNS)]
@@ -39,15 +40,19 @@ def posed_table(people: Sequence[Sitter], preset: Preset, folder: Path) -> str:
         if sitter.landmarks is None:
             lines.append([name, NO_FACE, *[""] * (len(COLUMNS) - 2)])
             continue
-        project = _traced(sitter, preset, folder / f"{name}.vtalk")
-        figures, pictures = _posed(project, sitter.landmarks)
-        with whole_file(folder / f"{name}.png") as part:
-            sheet(pictures).save(part)
-        lines.append([name, *_cells(figures)])
+        kept = folder / f"{name}.json"
+        if not kept.exists():
+            project = traced(sitter, preset, folder / f"{name}.vtalk")
+            figures, pictures = _posed(project, sitter.landmarks)
+            with whole_file(folder / f"{name}.png") as part:
+                sheet(pictures).save(part)
+            write_whole(kept, json.dumps(_cells(figures), ensure_ascii=False).encode())
+        lines.append([name, *json.loads(kept.read_text(encoding="utf-8"))])
     return f"### Portraits posed, {preset} preset, {SIDE} px\n\n{markdown(lines)}\n"
 
 
-def _traced(sitter: Sitter, preset: Preset, file: Path) -> Project:
+def traced(sitter: Sitter, preset: Preset, file: Path) -> Project:
+    """The portrait's project, from `file` if it is there, else traced and kept there."""
     if file.exists():
         return unpack(file.read_bytes(), file.name).project
     run = vectorize(sitter.portrait, sitter.landmarks, VectorizeOptions(preset=preset))
@@ -73,7 +78,7 @@ def _posed(
         pictures.append([])
         for name, articulators in view.poses.items():
             pose = Pose(articulators=articulators)
-            figures[name] = sitting.figures(pose)
+            figures[name] = sitting.figures(pose, view.parts)
             points = frame_points(rigged, rigged.rig.vertices(pose).vertices)
             pictures[-1].append((name, camera.picture(points)))
     return figures, pictures

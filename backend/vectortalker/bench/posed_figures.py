@@ -13,7 +13,8 @@ from scipy.ndimage import binary_dilation, binary_fill_holes
 from vectortalker.animate.drawing import Drawing, Points
 from vectortalker.animate.frames import FrameRenderer
 from vectortalker.animate.rigged import RiggedScene, frame_points
-from vectortalker.bench.posed_parts import EYEBALLS, TEETH, Blot, IrisLook, PaintedParts, coloured, hidden
+from vectortalker.bench.posed_parts import EYEBALLS, LEAST_AREA, Blot, IrisLook, PaintedParts, coloured, hidden
+from vectortalker.bench.posed_views import FULL_BLINK, IRISES, TEETH
 from vectortalker.schema import HexColour, Landmarks, Part, Pose, Scene
 
 MAGENTA, GREEN = "#ff00ff", "#00ff00"
@@ -23,15 +24,19 @@ ROW_NOISE = 16  # of 255: how much Skia's antialiasing of an outline depends on 
 BORDER = 2  # px of antialiasing round a region
 EYE_PARTS = (*EYEBALLS.keys(), *EYEBALLS.values())
 
+SHUT = Pose(articulators=FULL_BLINK)
+
 Mask = NDArray[np.bool_]
+Picture = NDArray[np.int16]  # [h, w, 3]
 
 
 @dataclass(frozen=True)
 class PoseFigures:
     """Of one pose, in pixels: `holes` through the picture and `tears` in the fore layer that rest lacks, `strayed`
-    changes outside moved triangles and openings, `eyes` of the eyeballs' paths that show. Largest change against rest,
-    as a share: `iris_shape` of an iris's roundness, `iris_size` and `teeth_size` of an area, `iris_look` of the irises'
-    pixels that have another colour. `held`: share of the motion that was carried out.
+    changes outside moved triangles and openings, `eyes` of the eyeballs' paths that show when these are shut.
+
+    Largest change against rest, as a share: `iris_shape` of an iris's roundness, `iris_size` and `teeth_size` of an
+    area, `iris_look` of the irises' pixels that have another colour. `held`: share of the motion that was carried out.
     """
 
     holes: int
@@ -55,31 +60,32 @@ class Sitting:
         parts = [*nowhere, *(path.part for path in scene.local)]
         back, others = drawing.fills[: drawing.n_back], drawing.fills[drawing.n_back :]
         in_front = replace(drawing, fills=(*map(hidden, back), *others))
-        self._renderer = FrameRenderer(drawing, size)
         self._over = [FrameRenderer(drawing, size, colour) for colour in (MAGENTA, GREEN)]
         self._fore = [FrameRenderer(in_front, size, colour) for colour in (MAGENTA, GREEN)]
         self._eyes = [FrameRenderer(self._eyes_painted(parts, colour), size) for colour in (MAGENTA, GREEN)]
         self._parts = PaintedParts(drawing, parts)
         irises = landmarks.irises or ()
         self._looks = [IrisLook(rigged, parts, iris.radius, eye) for eye, iris in enumerate(irises)]
-        self._rest = self._renderer.render(rigged.rest).astype(np.int16)
-        self._rest_holes = _apart(self._over, rigged.rest) > TOLERANCE
-        self._rest_tears = int(_tears(self._fore, rigged.rest).sum())
-        self._rest_parts = self._parts.blots(rigged.rest)
+        self._rest, self._rest_holes = _pair(self._over, rigged.rest)
+        self._rest_tears = _n_tears(self._fore, rigged.rest)
+        self._rest_parts = self._parts.blots(rigged.rest, (*IRISES, *TEETH))
 
-    def figures(self, pose: Pose) -> PoseFigures:
+    def figures(self, pose: Pose, parts: tuple[Part, ...]) -> PoseFigures:
+        """`parts`: those whose shape and size are measured, irises or teeth."""
         posed = self._rigged.rig.vertices(pose)
         points = frame_points(self._rigged, posed.vertices)
-        changed = np.abs(self._renderer.render(points).astype(np.int16) - self._rest).max(axis=2) > ROW_NOISE
-        now = self._parts.blots(points)
+        picture, holes = _pair(self._over, points)
+        changed = np.abs(picture - self._rest).max(axis=2) > ROW_NOISE
+        now = self._parts.blots(points, parts)
+        looks = self._looks if parts == IRISES else []
         return PoseFigures(
-            holes=int(((_apart(self._over, points) > TOLERANCE) & ~self._rest_holes).sum()),
-            tears=max(0, int(_tears(self._fore, points).sum()) - self._rest_tears),
+            holes=int(((holes > TOLERANCE) & (self._rest_holes <= TOLERANCE)).sum()),
+            tears=max(0, _n_tears(self._fore, points) - self._rest_tears),
             strayed=int((changed & ~self._moved_region(posed.vertices)).sum()),
-            eyes=int((_apart(self._eyes, points) > SEES_THROUGH).sum()),
-            iris_shape=self._largest_change(now, tuple(EYEBALLS), lambda blot: blot.roundness),
-            iris_size=self._largest_change(now, tuple(EYEBALLS), lambda blot: blot.area),
-            iris_look=max((look.unlike(points, posed.vertices) for look in self._looks), default=0.0),
+            eyes=int((_pair(self._eyes, points)[1] > SEES_THROUGH).sum()) if pose == SHUT else 0,
+            iris_shape=self._largest_change(now, IRISES, lambda blot: blot.roundness),
+            iris_size=self._largest_change(now, IRISES, lambda blot: blot.area),
+            iris_look=max((look.unlike(points, posed.vertices) for look in looks), default=0.0),
             teeth_size=self._largest_change(now, TEETH, lambda blot: blot.area),
             held=posed.scale,
         )
@@ -90,10 +96,10 @@ class Sitting:
         return replace(self._rigged.drawing, fills=painted)
 
     def _largest_change(self, now: dict[Part, Blot], parts: tuple[Part, ...], value: Callable[[Blot], float]) -> float:
-        """Against rest, as a share; a part that vanishes has changed by all it was."""
-        rest = {part: value(blot) for part, blot in self._rest_parts.items() if part in parts}
-        changes = [abs(value(now[part]) / before - 1) if part in now else 1.0 for part, before in rest.items()]
-        return max(changes, default=0.0)
+        """Of the parts that were measured and paint anything at rest, as a share."""
+        rest = {part: blot for part, blot in self._rest_parts.items() if blot.area >= LEAST_AREA}
+        measured: list[Part] = [part for part in parts if part in now and part in rest]
+        return max((abs(value(now[part]) / value(rest[part]) - 1) for part in measured), default=0.0)
 
     def _moved_region(self, vertices: Points) -> Mask:
         """Triangles with a vertex that moved and the openings, before and after."""
@@ -108,15 +114,16 @@ class Sitting:
         return np.asarray(binary_dilation(np.asarray(region), iterations=BORDER), bool)
 
 
-def _apart(renderers: list[FrameRenderer], points: Points) -> NDArray[np.int16]:
+def _pair(renderers: list[FrameRenderer], points: Points) -> tuple[Picture, NDArray[np.int16]]:
+    """A frame's picture by the first of two renderers, and how far apart both are."""
     first, second = (renderer.render(points)[..., :3].astype(np.int16) for renderer in renderers)
-    return np.abs(first - second).max(axis=2)
+    return first, np.abs(first - second).max(axis=2)
 
 
-def _tears(renderers: list[FrameRenderer], points: Points) -> Mask:
-    """Places enclosed by the fore layer at which it lets through what lies behind."""
-    opaque = _apart(renderers, points) <= SEES_THROUGH
-    return np.asarray(binary_fill_holes(opaque), bool) & ~opaque
+def _n_tears(fore: list[FrameRenderer], points: Points) -> int:
+    """Pixels enclosed by the fore layer at which it lets through what lies behind."""
+    opaque = _pair(fore, points)[1] <= SEES_THROUGH
+    return int((np.asarray(binary_fill_holes(opaque), bool) & ~opaque).sum())
 
 
 def _polyline(chain: Points) -> Points:

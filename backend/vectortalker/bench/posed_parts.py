@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from vectortalker.animate.drawing import Drawing, Points
 from vectortalker.animate.frames import FrameRenderer, frame_size
 from vectortalker.animate.rigged import RiggedScene, Vertices
+from vectortalker.bench.posed_views import IRISES, TEETH
 from vectortalker.schema import Fill, HexColour, Part
 
-SIDE = 1536  # px of the longer side: an iris then has hundreds of pixels, and its moments are good to a few per mille
+SIDE = 1024  # px of the longer side: an iris then has hundreds of pixels, and its moments are good to a few per mille
 EYEBALLS: dict[Part, Part] = {"left_iris": "left_eye", "right_iris": "right_eye"}  # what irises show among
-TEETH: tuple[Part, ...] = ("mouth_upper", "mouth_lower")
 LEAST_AREA = 30.0  # px² below which antialiasing is all there is to measure
 IRIS_SIDE = 96  # px across an iris whose look is compared
 UNLIKE = 32  # of 255 in one channel
@@ -28,7 +28,7 @@ Mask = NDArray[np.bool_]
 
 @dataclass(frozen=True)
 class Blot:
-    """What a part paints: area in px², and its smaller over its larger spread, 1 for a disc."""
+    """What a part paints: area in px², and its smaller over its larger spread, 1 for a disc and for next to nothing."""
 
     area: float
     roundness: float
@@ -41,20 +41,15 @@ class PaintedParts:
         size = frame_size(drawing, SIDE, even=False)
         unclipped = replace(drawing, n_fore=len(drawing.fills) - drawing.n_back, canvas="#000000")
         self._renderers: dict[Part, FrameRenderer] = {}
-        for shown in (*EYEBALLS, *TEETH):
+        for shown in (*IRISES, *TEETH):
             colours: dict[Part | None, HexColour] = {shown: "#ffffff"}
             if shown in EYEBALLS:
                 colours[EYEBALLS[shown]] = "#000000"
             self._renderers[shown] = FrameRenderer(only(unclipped, parts, colours), size)
 
-    def blots(self, points: Points) -> dict[Part, Blot]:
-        """Of every iris and row of teeth that paints anything in the frame `points` [N, 2]."""
-        blots: dict[Part, Blot] = {}
-        for part, renderer in self._renderers.items():
-            blot = _blot(renderer.render(points)[..., 0])
-            if blot.area >= LEAST_AREA:
-                blots[part] = blot
-        return blots
+    def blots(self, points: Points, parts: Iterable[Part]) -> dict[Part, Blot]:
+        """Of these irises and rows of teeth in the frame `points` [N, 2]."""
+        return {part: _blot(self._renderers[part].render(points)[..., 0]) for part in parts}
 
 
 class IrisLook:
@@ -117,6 +112,9 @@ def _blot(mask: NDArray[np.uint8]) -> Blot:
     area = float(weight.sum())
     if area < LEAST_AREA:
         return Blot(area, 1.0)
-    y, x = np.nonzero(mask)
-    spread = np.linalg.eigvalsh(np.cov(np.stack([x, y]), aweights=weight[y, x]))
+    rows, columns = weight.sum(axis=1), weight.sum(axis=0)
+    y = np.arange(len(rows)) - np.arange(len(rows)) @ rows / area
+    x = np.arange(len(columns)) - np.arange(len(columns)) @ columns / area
+    mixed = y @ weight @ x
+    spread = np.linalg.eigvalsh([[x**2 @ columns, mixed], [mixed, y**2 @ rows]])
     return Blot(area, float(np.sqrt(spread[0] / spread[1])))

@@ -11,18 +11,26 @@ from PIL import Image, ImageDraw
 from vectortalker.animate.drawing import Points
 from vectortalker.animate.frames import FrameRenderer
 from vectortalker.animate.rigged import RiggedScene
+from vectortalker.schema import Part
 
 SHEET_WIDTH = 1800  # px
 CAPTION = 14
+IRISES: tuple[Part, ...] = ("left_iris", "right_iris")
+TEETH: tuple[Part, ...] = ("mouth_upper", "mouth_lower")
+FULL_BLINK = {"blink_left": 1.0, "blink_right": 1.0}
 
 
 @dataclass(frozen=True)
 class View:
-    """Poses that are looked at alike: the box around `landmarks`, wider by `margin` of its extent on every side."""
+    """Poses that are looked at alike: the box around `landmarks`, wider by `margin` of its extent on every side.
+
+    `parts` must keep their shape in them.
+    """
 
     landmarks: tuple[int, ...]
     margin: float
     columns: int
+    parts: tuple[Part, ...]
     poses: dict[str, dict[str, float]]
 
 
@@ -31,11 +39,12 @@ VIEWS = (
         (*range(17, 27), *range(36, 48)),
         margin=0.15,
         columns=4,
+        parts=IRISES,
         poses={
             "rest": {},
             "quarter blink": {"blink_left": 0.25, "blink_right": 0.25},
             "half blink": {"blink_left": 0.5, "blink_right": 0.5},
-            "full blink": {"blink_left": 1, "blink_right": 1},
+            "full blink": FULL_BLINK,
             "gaze left": {"gaze_x": -1},
             "gaze right": {"gaze_x": 1},
             "gaze up": {"gaze_y": -1},
@@ -46,6 +55,7 @@ VIEWS = (
         (*range(5, 12), *range(31, 36), *range(48, 68)),
         margin=0.1,
         columns=4,
+        parts=TEETH,
         poses={
             "closed": {"neutral": 1},
             "wide open": {"jaw": 1},
@@ -57,6 +67,7 @@ VIEWS = (
         tuple(range(68)),
         margin=0.4,
         columns=6,
+        parts=IRISES,
         poses={
             "roll -15": {"roll": -15},
             "roll 15": {"roll": 15},
@@ -88,20 +99,21 @@ class Camera:
 
 def sheet(views: Sequence[Sequence[tuple[str, Image.Image]]]) -> Image.Image:
     """Captioned pictures, views below each other."""
-    strips = [_strip(view.columns, pictures) for view, pictures in zip(VIEWS, views, strict=True)]
-    paper = Image.new("RGB", (SHEET_WIDTH, sum(strip.height for strip in strips)), "white")
-    tops = np.cumsum([0, *(strip.height for strip in strips)])
-    for top, strip in zip(tops.tolist(), strips, strict=False):
-        paper.paste(strip, (0, top))
+    strips = [strip(view.columns, pictures) for view, pictures in zip(VIEWS, views, strict=True)]
+    paper = Image.new("RGB", (SHEET_WIDTH, sum(row.height for row in strips)), "white")
+    tops = np.cumsum([0, *(row.height for row in strips)])
+    for top, row in zip(tops.tolist(), strips, strict=False):
+        paper.paste(row, (0, top))
     return paper
 
 
-def _strip(columns: int, pictures: Sequence[tuple[str, Image.Image]]) -> Image.Image:
+def strip(columns: int, pictures: Sequence[tuple[str, Image.Image]]) -> Image.Image:
+    """Captioned pictures of one size in rows of `columns`."""
     width, height = SHEET_WIDTH // columns, pictures[0][1].height + CAPTION
-    strip = Image.new("RGB", (SHEET_WIDTH, -(-len(pictures) // columns) * height), "white")
-    pen = ImageDraw.Draw(strip)
+    paper = Image.new("RGB", (SHEET_WIDTH, -(-len(pictures) // columns) * height), "white")
+    pen = ImageDraw.Draw(paper)
     for index, (caption, picture) in enumerate(pictures):
         x, y = index % columns * width, index // columns * height
         pen.text((x + 4, y + 1), caption, fill="black")
-        strip.paste(picture, (x, y + CAPTION))
-    return strip
+        paper.paste(picture, (x, y + CAPTION))
+    return paper
