@@ -1,9 +1,10 @@
-"""CPU-ms of one forward and backward pass against path count and picture size, on one thread and on all cores.
+"""CPU-ms of one forward and backward pass against path count and picture size, as a Markdown table.
 
 Scenes are jittered circles that cover every pixel about three times, whatever their number. Optimised scenes have
-longer outlines. Usage: python tests/bench/raster_speed.py
+longer outlines. Usage, on an idle machine: python tests/bench/raster_speed.py
 """
 
+import os
 import resource
 import time
 
@@ -14,6 +15,9 @@ from numpy.typing import NDArray
 SEGMENTS = 8
 OVERDRAW = 3.0
 REPEATS = 10
+REFERENCE_SIDE, REFERENCE_PATHS = 512, 500
+PATHS = (100, 250, 500, 1000, 2000, 4000)
+SIDES = (256, 1024, 2048)
 
 
 def scene(n: int, side: int, seed: int = 0) -> dict[str, NDArray[np.generic]]:
@@ -37,8 +41,8 @@ def scene(n: int, side: int, seed: int = 0) -> dict[str, NDArray[np.generic]]:
     }
 
 
-def measure(n: int, side: int, threads: int, **options: int | bool) -> tuple[float, float]:
-    """Least user CPU-ms and least wall ms of a pass."""
+def measure(n: int, side: int, threads: int, **options: int | bool | tuple[int, int]) -> tuple[float, float]:
+    """Least CPU-ms (user) and least wall ms of a pass."""
     arguments = scene(n, side)
     rng = np.random.default_rng(1)
     target = rng.uniform(size=(side, side, 3)).astype(np.float32)
@@ -46,22 +50,26 @@ def measure(n: int, side: int, threads: int, **options: int | bool) -> tuple[flo
     cpu, wall = [], []
     for _ in range(REPEATS):
         user, start = resource.getrusage(resource.RUSAGE_SELF).ru_utime, time.perf_counter()
-        core.loss_and_gradients(**arguments, checkpoints=checkpoints, threads=threads, **options)
+        core.loss_and_gradients(**arguments, checkpoints=checkpoints, threads=threads, picture=False, **options)
         wall.append(1e3 * (time.perf_counter() - start))
         cpu.append(1e3 * (resource.getrusage(resource.RUSAGE_SELF).ru_utime - user))
     return min(cpu), min(wall)
 
 
+def row(n: int, side: int) -> list[float]:
+    """CPU-ms of a pass: whole, half of the bands, with importance, with four sub-rows; wall ms on all cores."""
+    whole, half, weighed, fine = (
+        measure(n, side, 1, **options)[0] for options in ({}, {"bands": (2, 0)}, {"importance": True}, {"subrows": 4})
+    )
+    return [whole, half, weighed, fine, measure(n, side, 0)[1]]
+
+
 def main() -> None:
-    print("paths  side   CPU-ms (1 thread)   with importance   4 sub-rows   wall ms (all cores)")
-    for n, side in [(100, 512), (250, 512), (500, 512), (1000, 512), (2000, 512), (4000, 512)] + [
-        (500, side) for side in (256, 1024, 2048)
-    ]:
-        plain = measure(n, side, 1)[0]
-        weighed = measure(n, side, 1, importance=True)[0]
-        fine = measure(n, side, 1, subrows=4)[0]
-        both = measure(n, side, 0)[1]
-        print(f"{n:5d} {side:5d} {plain:19.1f} {weighed:17.1f} {fine:12.1f} {both:21.1f}")
+    print("| paths | px | CPU-ms | every other band | importance | 4 sub-rows | wall ms, all cores |")
+    print("|---|---|---|---|---|---|---|")
+    for n, side in [(n, REFERENCE_SIDE) for n in PATHS] + [(REFERENCE_PATHS, side) for side in SIDES]:
+        print(f"| {n:,} | {side:,} | " + " | ".join(f"{ms:.1f}" for ms in row(n, side)) + " |", flush=True)
+    print(f"\nLoad: {' '.join(f'{load:.1f}' for load in os.getloadavg())}")
 
 
 if __name__ == "__main__":

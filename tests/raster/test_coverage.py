@@ -1,5 +1,7 @@
 """Coverage in closed form: areas of polygons in pixels, the nonzero rule, and what must not matter."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import vectortalker_core as core
@@ -114,6 +116,15 @@ def test_bits_do_not_depend_on_threads(size: tuple[int, int]) -> None:
     scene = blobs(2, 40, *size, (3, 20))
     one, three = (paint(scene, *size, threads=t) for t in (1, 3))
     assert one.tobytes() == three.tobytes()
+
+
+def test_stack_holds_the_pictures_of_the_lowest_paths() -> None:
+    scene = blobs(2, 70, 40, 50, (3, 20))
+    heights = [0, 3, 3, 66, 70]
+    stack = core.rasterize_stack(**scene.arguments(), width=40, height=50, heights=heights)
+    for height, picture in zip(heights, stack, strict=True):
+        lowest = {name: values[:height] for name, values in scene.arguments().items() if len(values) == 70}
+        assert picture.tobytes() == paint(replace(scene, **lowest), 40, 50).tobytes()
 
 
 def test_overlap_measures_folds_and_reversals() -> None:

@@ -148,8 +148,18 @@ def test_quantised_gradient_passes_straight_through() -> None:
     np.testing.assert_allclose(rounded["points"], exact["points"], atol=0.02 * abs(exact["points"]).max())
 
 
+@pytest.mark.parametrize("every", [2, 3])
+def test_samples_of_bands_are_right_on_the_mean(every: int) -> None:
+    scene = blobs(11, 30, WIDTH, HEIGHT, (2, 20))
+    whole = differentiate(scene, checkpoints_of(scene), importance=True)
+    turns = [differentiate(scene, checkpoints_of(scene), importance=True, bands=(every, i)) for i in range(every)]
+    for name in ("losses", "points", "stops", "axis", "importance"):
+        mean = sum(turn[name] for turn in turns) / every
+        np.testing.assert_allclose(mean, whole[name], atol=1e-6 * abs(whole[name]).max())
+
+
 @pytest.mark.parametrize("threads", [2, 5])
 def test_bits_do_not_depend_on_threads(threads: int) -> None:
-    scene = blobs(10, 60, WIDTH, HEIGHT, (2, 20))
+    scene = blobs(10, 150, WIDTH, HEIGHT, (2, 20))  # outlines are made in parts of 64 paths
     one, many = (differentiate(scene, checkpoints_of(scene), importance=True, threads=t) for t in (1, threads))
     assert all(one[name].tobytes() == many[name].tobytes() for name in one)

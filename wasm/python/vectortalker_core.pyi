@@ -119,6 +119,23 @@ def rasterize(
     `threads` 0: all cores. Raises ValueError naming value and limit.
     """
 
+def rasterize_stack(
+    points: Floats,
+    stops: Floats,
+    axis: Floats,
+    gradient: Flags,
+    clip: NDArray[np.int32],
+    clips: Floats,
+    canvas: Floats,
+    width: int,
+    height: int,
+    heights: Sequence[int],
+    subrows: int = 1,
+    threads: int = 0,
+    flatness: float = 0.05,
+) -> Floats:
+    """Pictures [len(heights), H, W, 3] of the lowest paths, as many as each of the ascending `heights` says, in one pass."""
+
 def preview(
     points: Floats,
     stops: Floats,
@@ -151,11 +168,14 @@ def loss_and_gradients(
     quantise: bool = False,
     picture: bool = True,
     flatness: float = 0.05,
+    bands: tuple[int, int] = (1, 0),
 ) -> Gradients:
     """Losses [k], picture, gradients of their sum by points, stops and axis, and (if asked for) importance [n].
 
     A checkpoint (paths below, target) compares the picture of the lowest paths with a target. Checkpoints ascend by paths below. Importance is the exact rise of the summed loss
     if the path were removed. Without `picture` the picture is [0, 0, 3]. Gradients pass straight through the rounding of `quantise`.
+    `bands` (every, first): only these bands of 16 rows are looked at and stand for all, so that sums over pixels are
+    right on the mean over all `first` < `every`.
     """
 
 def gradients(
@@ -173,6 +193,36 @@ def gradients(
     flatness: float = 0.05,
 ) -> Gradients:
     """As `loss_and_gradients` for any loss, given its gradient `grad_image` [H, W, 3] by the picture; no losses."""
+
+def coherent_energy(residual: Floats, weight: Floats, reach: int) -> Floats:
+    """|box mean of weight · residual|² [H, W] of `residual` [H, W, 3], `weight` [H, W]; boxes of 2·reach + 1 px a side.
+
+    Outside the picture the residual is zero.
+    """
+
+def contour(field: Floats, x: int, y: int, level: float) -> tuple[NDArray[np.bool_], Floats] | None:
+    """The 4-connected component of `field` [H, W] > `level` that holds pixel (x, y), None if that one is not above it.
+
+    Returns its pixels [H, W] and its outer border as a polygon [m, 2] without a repeated point, pixel centres at integers,
+    interpolated as marching squares does.
+    """
+
+def adam_step(
+    values: Floats,
+    gradient: Floats,
+    first: Floats,
+    second: Floats,
+    age: NDArray[np.int64],
+    rate: Floats,
+    least: Floats,
+    most: Floats,
+    betas: tuple[float, float],
+    epsilon: float,
+) -> None:
+    """One step of Adam in place on `values` [n, …] and their `first` and `second` moments, each row of its own `age` [n].
+
+    `rate`, `least`, `most` [m]: step sizes and limits of the m values of a row.
+    """
 
 def coverage(points: Floats, width: int, height: int) -> Floats:
     """Coverage [H, W] of one closed path [3S, 2], resolved over 4 sub-rows."""

@@ -1,12 +1,16 @@
 //! Python face of the `raster` crate.
 
+mod adam;
 mod arrays;
+mod residual;
 
 use arrays::{Flags, Scene, array, flat, refused, shape};
-use numpy::{IntoPyArray, Ix2, PyArray, PyArray1, PyArray3, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
+use numpy::{
+    IntoPyArray, Ix2, PyArray, PyArray1, PyArray3, PyArray4, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3,
+};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use raster::{Checkpoint, Extras, Frame, Gradients, Objective, Paths, Target};
+use raster::{Checkpoint, Extras, Frame, Gradients, Objective, Paths, Sample, Target};
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<PyTarget>()?;
@@ -14,6 +18,10 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(preview, module)?)?;
     module.add_function(wrap_pyfunction!(loss_and_gradients, module)?)?;
     module.add_function(wrap_pyfunction!(gradients, module)?)?;
+    module.add_function(wrap_pyfunction!(adam::adam_step, module)?)?;
+    module.add_function(wrap_pyfunction!(residual::coherent_energy, module)?)?;
+    module.add_function(wrap_pyfunction!(residual::contour, module)?)?;
+    module.add_function(wrap_pyfunction!(rasterize_stack, module)?)?;
     module.add_function(wrap_pyfunction!(coverage, module)?)?;
     module.add_function(wrap_pyfunction!(overlap, module)?)
 }
@@ -44,6 +52,34 @@ fn rasterize<'py>(
     let (paths, frame) = (scene.paths()?, scene.frame()?);
     let image = py.detach(|| raster::rasterize(&paths, &frame, threads)).map_err(refused)?;
     array(py, image, [height, width, 3])
+}
+
+/// Paint the lowest paths, as many as each of the ascending `heights` says: f32 `[len(heights), H, W, 3]`.
+#[pyfunction]
+#[pyo3(signature = (points, stops, axis, gradient, clip, clips, canvas, width, height, heights, subrows=1, threads=0, flatness=raster::FLATNESS))]
+#[allow(clippy::too_many_arguments)] // one flat array each: the border's rule
+fn rasterize_stack<'py>(
+    py: Python<'py>,
+    points: PyReadonlyArray3<'py, f32>,
+    stops: PyReadonlyArray3<'py, f32>,
+    axis: PyReadonlyArray2<'py, f32>,
+    gradient: Flags<'py>,
+    clip: PyReadonlyArray1<'py, i32>,
+    clips: PyReadonlyArray3<'py, f32>,
+    canvas: PyReadonlyArray1<'py, f32>,
+    width: usize,
+    height: usize,
+    heights: Vec<usize>,
+    subrows: usize,
+    threads: usize,
+    flatness: f32,
+) -> PyResult<Bound<'py, PyArray4<f32>>> {
+    let (gradient, quantise) = (gradient.values(), false);
+    let scene =
+        Scene { points, stops, axis, gradient, clip, clips, canvas, width, height, subrows, flatness, quantise };
+    let (paths, frame) = (scene.paths()?, scene.frame()?);
+    let images = py.detach(|| raster::rasterize_stack(&paths, &frame, &heights, threads)).map_err(refused)?;
+    array(py, images, [heights.len(), height, width, 3])
 }
 
 /// Paint paths over a canvas as resvg does, sampled edges and 8-bit blends included: f32 `[H, W, 3]`.
@@ -97,7 +133,7 @@ type GradientArrays<'py> = (
 
 /// Losses of checkpoints `(paths below, target, weight)`, the picture (if asked for), and gradients of the summed loss.
 #[pyfunction]
-#[pyo3(signature = (points, stops, axis, gradient, clip, clips, canvas, checkpoints, subrows=1, threads=0, importance=false, quantise=false, picture=true, flatness=raster::FLATNESS))]
+#[pyo3(signature = (points, stops, axis, gradient, clip, clips, canvas, checkpoints, subrows=1, threads=0, importance=false, quantise=false, picture=true, flatness=raster::FLATNESS, bands=(1, 0)))]
 #[allow(clippy::too_many_arguments)] // one flat array each: the border's rule
 fn loss_and_gradients<'py>(
     py: Python<'py>,
@@ -115,6 +151,7 @@ fn loss_and_gradients<'py>(
     quantise: bool,
     picture: bool,
     flatness: f32,
+    bands: (usize, usize),
 ) -> PyResult<GradientArrays<'py>> {
     let Some((_, target)) = checkpoints.first() else {
         return Err(PyValueError::new_err("checkpoints is empty; at least one is needed."));
@@ -127,7 +164,8 @@ fn loss_and_gradients<'py>(
     let targets: Vec<_> =
         checkpoints.iter().map(|(below, target)| Checkpoint { below: *below, target: &target.0 }).collect();
     let objective = Objective::Checkpoints(&targets);
-    let extras = Extras { importance, picture };
+    let bands = Sample { every: bands.0, first: bands.1 };
+    let extras = Extras { importance, picture, bands };
     let found = py.detach(|| raster::differentiate(&paths, &frame, &objective, extras, threads)).map_err(refused)?;
     arrays(py, found, &paths, &frame, extras)
 }
@@ -157,7 +195,7 @@ fn gradients<'py>(
         Scene { points, stops, axis, gradient, clip, clips, canvas, width, height, subrows, flatness, quantise };
     let (paths, frame) = (scene.paths()?, scene.frame()?);
     let objective = Objective::Upstream(flat("grad_image", &grad_image)?);
-    let extras = Extras { importance: false, picture: true };
+    let extras = Extras { picture: true, ..Extras::default() };
     let found = py.detach(|| raster::differentiate(&paths, &frame, &objective, extras, threads)).map_err(refused)?;
     arrays(py, found, &paths, &frame, extras)
 }

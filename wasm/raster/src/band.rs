@@ -36,13 +36,14 @@ pub struct Band<const S: usize> {
 }
 
 impl<const S: usize> Band<S> {
-    /// Composites the band at row `top` into `rows [≤ ROWS, width, 3]`.
-    pub fn rasterize(&mut self, call: &Call<'_>, top: usize, rows: &mut [f32]) {
+    /// Composites the band at row `top`; at each of the `heights` of the stack into its rows `[≤ ROWS, width, 3]` of `images`.
+    pub fn rasterize(&mut self, call: &Call<'_>, top: usize, heights: &[usize], images: Vec<&mut [f32]>) {
         self.begin(call, top);
-        for i in 0..self.cover.tiles.len() {
-            self.blend_tile(call, i);
+        let mut next = 0;
+        for (height, rows) in heights.iter().zip(images) {
+            next = self.blend_below(call, *height, next);
+            self.write(call.frame, rows);
         }
-        self.write(call.frame, rows);
     }
 
     /// As `rasterize` if `rows` are given, and carries the objective's gradient back to every path of the band.
@@ -98,6 +99,15 @@ impl<const S: usize> Band<S> {
         transpose::write(self.picture.as_flattened(), 3 * frame.width, rows);
     }
 
+    /// Blends tiles from number `next` on as long as their paths are below a height; returns the number of the one after them.
+    fn blend_below(&mut self, call: &Call<'_>, height: usize, mut next: usize) -> usize {
+        while next < self.cover.tiles.len() && self.cover.tiles[next].path < height {
+            self.blend_tile(call, next);
+            next += 1;
+        }
+        next
+    }
+
     /// Blends a tile span by span; flat columns without coverage drop out of the band.
     fn blend_tile(&mut self, call: &Call<'_>, i: usize) {
         let tile = self.cover.tiles[i].clone();
@@ -132,10 +142,7 @@ impl<const S: usize> Band<S> {
         if let Objective::Checkpoints(checkpoints) = objective {
             self.seams.resize_with(checkpoints.len(), Seam::default);
             for (i, checkpoint) in checkpoints.iter().enumerate() {
-                while next < self.cover.tiles.len() && self.cover.tiles[next].path < checkpoint.below {
-                    self.blend_tile(call, next);
-                    next += 1;
-                }
+                next = self.blend_below(call, checkpoint.below, next);
                 let target = checkpoint.target.band(top);
                 losses.push(self.seams[i].observe(checkpoint.below, target, &self.picture));
             }
@@ -219,7 +226,9 @@ impl<const S: usize> Band<S> {
         out.points.resize(self.cover.tiles.len() * stride, 0.0);
         let tiles = self.cover.tiles.iter().rev();
         for (tile, grad_points) in tiles.zip(out.points.chunks_exact_mut(stride)) {
-            add_tile(call.chords, &self.cover, tile, grad_points);
+            if let Some(part) = call.outlines.part_of(tile.path) {
+                add_tile(&part.chords, &self.cover, tile, grad_points);
+            }
         }
     }
 }

@@ -1,12 +1,11 @@
 //! Turns the outlines that touch a band into sparse winding: edge columns in memory, what lies between them in spans.
 
-use crate::bins::Bins;
 use crate::clip::{Piece, clip};
 use crate::fill::Fill;
-use crate::flatten::Chords;
 use crate::lane::{Lane, ZERO, refill};
 use crate::line::Window;
 use crate::marks::Marks;
+use crate::outlines::{Outlines, Part};
 use crate::sample::sample;
 use crate::scene::{Frame, Paths};
 use crate::transpose;
@@ -18,10 +17,15 @@ use std::ops::Range;
 pub struct Call<'a> {
     pub paths: &'a Paths<'a>,
     pub frame: &'a Frame<'a>,
-    pub chords: &'a Chords,
-    pub bins: &'a Bins,
+    pub outlines: Outlines<'a>,
     /// Chords are sampled on a grid instead of integrated.
     pub sampled: bool,
+}
+
+impl<'a> Call<'a> {
+    pub fn new(paths: &'a Paths<'a>, frame: &'a Frame<'a>, sampled: bool) -> Self {
+        Self { paths, frame, outlines: Outlines::new(paths, frame, sampled), sampled }
+    }
 }
 
 /// Columns whose windings are stored, followed by columns that repeat the last of them.
@@ -96,14 +100,16 @@ impl<const S: usize> Cover<S> {
         self.winding.clear();
         self.stored = 0;
         refill(&mut self.cells, call.frame.width + 1, 0);
-        let (mut vertices, mut path) = (call.bins.band(top), 0);
-        while let Some(vertex) = vertices.first() {
-            while call.chords.rings[path + 1] <= *vertex {
-                path += 1;
+        for part in call.outlines.parts() {
+            let (mut vertices, mut ring) = (part.bins.band(top), 0);
+            while let Some(vertex) = vertices.first() {
+                while part.chords.rings[ring + 1] <= *vertex {
+                    ring += 1;
+                }
+                let own = vertices.partition_point(|v| *v < part.chords.rings[ring + 1]);
+                self.add_path(call, part, part.first + ring, &vertices[..own]);
+                vertices = &vertices[own..];
             }
-            let own = vertices.partition_point(|v| *v < call.chords.rings[path + 1]);
-            self.add_path(call, path, &vertices[..own]);
-            vertices = &vertices[own..];
         }
     }
 
@@ -114,10 +120,10 @@ impl<const S: usize> Cover<S> {
         }
     }
 
-    fn add_path(&mut self, call: &Call<'_>, path: usize, vertices: &[u32]) {
+    fn add_path(&mut self, call: &Call<'_>, part: &Part, path: usize, vertices: &[u32]) {
         let (first_piece, first_span, first_cell) = (self.pieces.len(), self.spans.len(), self.winding.len());
         self.marks.clear(self.window.width);
-        let beyond = clip(call.chords, vertices, self.window, &mut self.pieces, &mut self.marks);
+        let beyond = clip(&part.chords, vertices, self.window, &mut self.pieces, &mut self.marks);
         if self.pieces.len() == first_piece {
             return;
         }

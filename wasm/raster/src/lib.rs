@@ -7,11 +7,14 @@
 // Lanes of several arrays advance together by one index; zipped iterators would hide the formulae and the vector code alike.
 #![allow(clippy::needless_range_loop)]
 
+mod adam;
 mod band;
 mod bins;
 mod blend;
 mod clip;
+mod contour;
 mod cover;
+mod energy;
 mod error;
 mod facets;
 mod fill;
@@ -20,6 +23,7 @@ mod gradient;
 mod lane;
 mod line;
 mod marks;
+mod outlines;
 mod sample;
 mod saturate;
 mod scene;
@@ -31,13 +35,17 @@ mod transpose;
 mod unblend;
 mod walk;
 
+pub use adam::{Adam, Rule};
 use band::{Band, BandGradient};
+pub use contour::{Component, contour};
 use cover::Call;
+pub use energy::coherent_energy;
 pub use error::Error;
 pub use fill::STOPS;
 use lane::ROWS;
 pub use saturate::Overlap;
-pub use scene::{Checkpoint, Frame, MAX_COORDINATE, MAX_PATHS, MAX_SEGMENTS, MAX_SIDE, Objective, Paths};
+use scene::check_heights;
+pub use scene::{Checkpoint, Frame, MAX_COORDINATE, MAX_PATHS, MAX_SEGMENTS, MAX_SIDE, Objective, Paths, Sample};
 pub use target::Target;
 
 /// Below the noise of 8-bit edges, in pixels.
@@ -62,20 +70,32 @@ pub struct Gradients {
 pub struct Extras {
     /// Each path's exact leave-one-out loss, by `½·∂²loss/∂C²` carried down the stack.
     pub importance: bool,
+    /// Black in bands that are left out.
     pub picture: bool,
+    pub bands: Sample,
 }
 
 /// Paints the paths over the canvas, `[height, width, 3]`; `threads` 0 means all cores.
 pub fn rasterize(paths: &Paths<'_>, frame: &Frame<'_>, threads: usize) -> Result<Vec<f32>, Error> {
+    rasterize_stack(paths, frame, &[paths.len()], threads)
+}
+
+/// Pictures of the lowest paths, `[heights, height, width, 3]`: as many paths as each of the ascending `heights` says.
+pub fn rasterize_stack(
+    paths: &Paths<'_>,
+    frame: &Frame<'_>,
+    heights: &[usize],
+    threads: usize,
+) -> Result<Vec<f32>, Error> {
     frame.check()?;
     paths.check(frame)?;
-    let chords = flatten::flatten(paths, frame.flatness);
-    let call = Call { paths, frame, chords: &chords, bins: &bins::Bins::new(&chords, frame.height), sampled: false };
     frame.check_clips()?;
+    check_heights(heights.iter().copied(), paths.len())?;
+    let call = Call::new(paths, frame, false);
     Ok(match frame.subrows {
-        1 => rasterize_bands::<1>(&call, threads),
-        2 => rasterize_bands::<2>(&call, threads),
-        _ => rasterize_bands::<4>(&call, threads),
+        1 => rasterize_bands::<1>(&call, heights, threads),
+        2 => rasterize_bands::<2>(&call, heights, threads),
+        _ => rasterize_bands::<4>(&call, heights, threads),
     })
 }
 
@@ -86,17 +106,26 @@ pub fn preview(paths: &Paths<'_>, frame: &Frame<'_>, threads: usize) -> Result<V
     frame.check()?;
     paths.check(frame)?;
     frame.check_clips()?;
-    let chords = facets::facets(paths);
     let frame = Frame { subrows: 4, quantise: true, ..*frame };
-    let bins = bins::Bins::new(&chords, frame.height);
-    Ok(rasterize_bands::<4>(&Call { paths, frame: &frame, chords: &chords, bins: &bins, sampled: true }, threads))
+    Ok(rasterize_bands::<4>(&Call::new(paths, &frame, true), &[paths.len()], threads))
 }
 
-fn rasterize_bands<const S: usize>(call: &Call<'_>, threads: usize) -> Vec<f32> {
-    let mut image = vec![0.0; call.frame.width * call.frame.height * 3];
-    let bands = image.chunks_mut(ROWS * call.frame.width * 3).enumerate();
-    threads::map_ordered(threads, bands, |band: &mut Band<S>, (i, rows)| band.rasterize(call, i * ROWS, rows));
-    image
+fn rasterize_bands<const S: usize>(call: &Call<'_>, heights: &[usize], threads: usize) -> Vec<f32> {
+    let (row, rows) = (call.frame.width * 3, call.frame.height);
+    let mut images = vec![0.0; heights.len() * rows * row];
+    let mut bands: Vec<Vec<&mut [f32]>> = (0..rows.div_ceil(ROWS)).map(|_| Vec::new()).collect();
+    for image in images.chunks_mut(rows * row) {
+        for (band, rows) in bands.iter_mut().zip(image.chunks_mut(ROWS * row)) {
+            band.push(rows);
+        }
+    }
+    threads::map_ordered(
+        threads,
+        || call.outlines.prepare(),
+        bands.into_iter().enumerate(),
+        |band: &mut Band<S>, (i, images)| band.rasterize(call, i * ROWS, heights, images),
+    );
+    images
 }
 
 /// Paints the paths and differentiates the objective by every parameter of every path.
@@ -110,8 +139,8 @@ pub fn differentiate(
     frame.check()?;
     paths.check(frame)?;
     objective.check(paths.len(), frame)?;
-    let chords = flatten::flatten(paths, frame.flatness);
-    let call = Call { paths, frame, chords: &chords, bins: &bins::Bins::new(&chords, frame.height), sampled: false };
+    extras.bands.check()?;
+    let call = Call::new(paths, frame, false);
     let found = match frame.subrows {
         1 => differentiate_bands::<1>(&call, objective, extras, threads),
         2 => differentiate_bands::<2>(&call, objective, extras, threads),
@@ -135,10 +164,14 @@ fn differentiate_bands<const S: usize>(
     let mut image = vec![0.0; values];
     let mut rows = image.chunks_mut(ROWS * call.frame.width * 3);
     let bands = (0..call.frame.height.div_ceil(ROWS)).map(|i| (i, rows.next()));
-    let parts = threads::map_ordered(threads, bands, |band: &mut Band<S>, (i, rows)| {
-        band.differentiate(call, objective, extras.importance, i * ROWS, rows)
-    });
-    sum(call.paths, image, &parts)
+    let Sample { every, first } = extras.bands;
+    let parts = threads::map_ordered(
+        threads,
+        || call.outlines.prepare(),
+        bands.skip(first).step_by(every),
+        |band: &mut Band<S>, (i, rows)| band.differentiate(call, objective, extras.importance, i * ROWS, rows),
+    );
+    sum(call.paths, objective.n_losses(), image, &parts, every)
 }
 
 /// Coverage of one closed chain of cubics `[3S, 2]`, `[height, width]`, resolved over 4 sub-rows a pixel.
@@ -160,10 +193,14 @@ pub fn coverage(points: &[f32], width: usize, height: usize) -> Result<Vec<f32>,
 pub fn overlaps(paths: &Paths<'_>, frame: &Frame<'_>, threads: usize) -> Result<Vec<Overlap>, Error> {
     frame.check()?;
     paths.check(frame)?;
-    let chords = flatten::flatten(paths, frame.flatness);
-    let call = Call { paths, frame, chords: &chords, bins: &bins::Bins::new(&chords, frame.height), sampled: false };
+    let call = Call::new(paths, frame, false);
     let bands = 0..frame.height.div_ceil(ROWS);
-    let parts = threads::map_ordered(threads, bands, |band: &mut Band<4>, i| band.overlaps(&call, i * ROWS));
+    let parts = threads::map_ordered(
+        threads,
+        || call.outlines.prepare(),
+        bands,
+        |band: &mut Band<4>, i| band.overlaps(&call, i * ROWS),
+    );
     let mut whole = vec![Overlap::default(); paths.len()];
     for (path, part) in parts.into_iter().flatten() {
         whole[path].covered += part.covered;
@@ -173,11 +210,11 @@ pub fn overlaps(paths: &Paths<'_>, frame: &Frame<'_>, threads: usize) -> Result<
     Ok(whole)
 }
 
-/// Adds the bands' gradients in their order.
-fn sum(paths: &Paths<'_>, image: Vec<f32>, parts: &[BandGradient]) -> Gradients {
+/// Adds the bands' gradients, each of which stands for `every` bands, in their order.
+fn sum(paths: &Paths<'_>, n_losses: usize, image: Vec<f32>, parts: &[BandGradient], every: usize) -> Gradients {
     let (n, stride) = (paths.len(), paths.segments * 6);
     let mut whole = Gradients {
-        losses: vec![0.0; parts.first().map_or(0, |part| part.losses.len())],
+        losses: vec![0.0; n_losses],
         image,
         points: vec![0.0; n * stride],
         stops: vec![0.0; n * 4 * STOPS],
@@ -186,21 +223,21 @@ fn sum(paths: &Paths<'_>, image: Vec<f32>, parts: &[BandGradient]) -> Gradients 
     };
     for part in parts {
         for (loss, share) in whole.losses.iter_mut().zip(&part.losses) {
-            *loss += share;
+            *loss += every as f64 * share;
         }
         for ((&path, fill), points) in part.paths.iter().zip(&part.fills).zip(part.points.chunks_exact(stride)) {
-            add(&mut whole.points[path * stride..], points);
-            add(&mut whole.stops[path * 4 * STOPS..], fill.stops.as_flattened());
-            add(&mut whole.axis[path * 4..], &fill.axis);
-            whole.importance[path] += fill.importance;
+            add(&mut whole.points[path * stride..], points, every as f32);
+            add(&mut whole.stops[path * 4 * STOPS..], fill.stops.as_flattened(), every as f32);
+            add(&mut whole.axis[path * 4..], &fill.axis, every as f32);
+            whole.importance[path] += every as f64 * fill.importance;
         }
     }
     whole
 }
 
-fn add(whole: &mut [f32], part: &[f32]) {
+fn add(whole: &mut [f32], part: &[f32], times: f32) {
     for (w, p) in whole.iter_mut().zip(part) {
-        *w += p;
+        *w += times * p;
     }
 }
 

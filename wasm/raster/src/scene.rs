@@ -3,6 +3,7 @@
 use crate::error::Error;
 use crate::fill::STOPS;
 use crate::target::Target;
+use std::ops::Range;
 
 /// Longest side of a frame, as of a portrait; an f32 coordinate is still exact to 1/4096 px there.
 pub const MAX_SIDE: usize = 4096;
@@ -67,7 +68,30 @@ pub enum Objective<'a> {
     Upstream(&'a [f32]),
 }
 
-impl Paths<'_> {
+/// Bands `first`, `first + every`, … of 16 rows stand for all: what is summed over pixels is `every` times their sum.
+///
+/// Over `every` calls with another `first` each, losses and gradients are those of the whole on the mean.
+#[derive(Debug, Clone, Copy)]
+pub struct Sample {
+    pub every: usize,
+    pub first: usize,
+}
+
+impl Default for Sample {
+    fn default() -> Self {
+        Self { every: 1, first: 0 }
+    }
+}
+
+impl Sample {
+    /// Refuses a sample that may be empty.
+    pub fn check(&self) -> Result<(), Error> {
+        size("bands taken", self.every, 1, MAX_SIDE)?;
+        size("first of the bands taken", self.first, 0, self.every - 1)
+    }
+}
+
+impl<'a> Paths<'a> {
     /// Number of paths, `n`.
     pub fn len(&self) -> usize {
         self.gradient.len()
@@ -75,6 +99,19 @@ impl Paths<'_> {
 
     pub fn is_empty(&self) -> bool {
         self.gradient.is_empty()
+    }
+
+    /// Some of the paths, one after the other.
+    pub fn slice(&self, part: Range<usize>) -> Self {
+        let of = |values: &'a [f32], stride: usize| &values[part.start * stride..part.end * stride];
+        Self {
+            segments: self.segments,
+            points: of(self.points, self.segments * 6),
+            stops: of(self.stops, 4 * STOPS),
+            axis: of(self.axis, 4),
+            gradient: &self.gradient[part.clone()],
+            clip: &self.clip[part.clone()],
+        }
     }
 
     /// Refuses arrays of wrong length, values that are not finite and counts beyond the limits.
@@ -122,6 +159,14 @@ impl Frame<'_> {
 }
 
 impl Objective<'_> {
+    /// One a checkpoint.
+    pub fn n_losses(&self) -> usize {
+        match self {
+            Self::Checkpoints(checkpoints) => checkpoints.len(),
+            Self::Upstream(_) => 0,
+        }
+    }
+
     /// Refuses targets that do not fit the frame, checkpoints out of order and gradients that are not finite.
     pub fn check(&self, n_paths: usize, frame: &Frame<'_>) -> Result<(), Error> {
         let pixels = frame.width * frame.height;
@@ -132,17 +177,25 @@ impl Objective<'_> {
             }
             Self::Checkpoints(checkpoints) => checkpoints.iter(),
         };
-        let mut after = 0;
+        check_heights(checkpoints.clone().map(|checkpoint| checkpoint.below), n_paths)?;
         for checkpoint in checkpoints {
-            if checkpoint.below < after || checkpoint.below > n_paths {
-                return Err(Error::Order { got: checkpoint.below, after });
-            }
-            after = checkpoint.below;
             size("width of a target", checkpoint.target.width, frame.width, frame.width)?;
             size("height of a target", checkpoint.target.height, frame.height, frame.height)?;
         }
         Ok(())
     }
+}
+
+/// Refuses numbers of lowest paths that do not ascend, or are more than there are.
+pub fn check_heights(heights: impl Iterator<Item = usize>, n_paths: usize) -> Result<(), Error> {
+    let mut after = 0;
+    for got in heights {
+        if got < after || got > n_paths {
+            return Err(Error::Order { got, after });
+        }
+        after = got;
+    }
+    Ok(())
 }
 
 pub fn size(name: &'static str, got: usize, least: usize, most: usize) -> Result<(), Error> {

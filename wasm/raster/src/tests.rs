@@ -78,7 +78,7 @@ proptest! {
         let target = Target::new(&target, &weight, width, height).unwrap();
         let objective = [Checkpoint { below: 2, target: &target }];
         let frame = frame(width, height, subrows);
-        let extras = Extras { importance: true, picture: true };
+        let extras = Extras { importance: true, picture: true, ..Extras::default() };
         let found = differentiate(&solid.paths(), &frame, &Objective::Checkpoints(&objective), extras, 1).unwrap();
         prop_assert!(found.losses.iter().chain(&found.importance).all(|v| v.is_finite()));
         prop_assert!([&found.points, &found.stops, &found.axis].into_iter().flatten().all(|v| v.is_finite()));

@@ -5,13 +5,18 @@ use std::sync::Mutex;
 use std::thread;
 
 /// Runs every job of `jobs` with some worker's state; which worker takes which job does not show in the answers.
+///
+/// Every worker calls `prepare` first, to do its share of what all jobs need.
 pub fn map_ordered<J: Send, S: Default, A: Send>(
     threads: usize,
-    jobs: impl Iterator<Item = J> + Send,
+    prepare: impl Fn() + Sync,
+    jobs: impl ExactSizeIterator<Item = J> + Send,
     work: impl Fn(&mut S, J) -> A + Sync,
 ) -> Vec<A> {
+    let workers = count(threads).min(jobs.len());
     let queue = Mutex::new(jobs.enumerate());
     let worker = || {
+        prepare();
         let mut state = S::default();
         let mut answers = Vec::new();
         while let Some((index, job)) = take(&queue) {
@@ -20,7 +25,7 @@ pub fn map_ordered<J: Send, S: Default, A: Send>(
         answers
     };
     let mut answers = thread::scope(|scope| {
-        let others: Vec<_> = (1..count(threads)).map(|_| scope.spawn(worker)).collect();
+        let others: Vec<_> = (1..workers).map(|_| scope.spawn(worker)).collect();
         let mut answers = worker();
         for other in others {
             match other.join() {
