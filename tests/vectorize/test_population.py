@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 import torch
 from vectortalker.vectorize import adam
 from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, LID
@@ -36,6 +37,20 @@ def test_adam_equals_torch_for_rows_of_one_age() -> None:
         age += 1
         adam.step(values, gradient, moments, age, 0.1, 0.99)
     assert np.allclose(values, parameter.detach().numpy(), atol=1e-5)
+
+
+def test_adam_keeps_each_column_within_its_limits() -> None:
+    values = np.zeros((2, 3, 2), np.float32)
+    moments, age = adam.Moments.zeros(values.shape), np.ones(2, np.int64)
+    limits = (np.array([-1, -9], np.float32), np.array([0.5, 9], np.float32))
+    adam.step(values, np.full((2, 3, 2), -1, np.float32), moments, age, 2.0, 0.99, limits)  # a first step is the rate
+    assert np.allclose(values, [0.5, 2.0])
+
+
+def test_adam_refuses_gradients_of_another_shape() -> None:
+    values = np.zeros((2, 2), np.float32)
+    with pytest.raises(ValueError, match="gradient holds 3 values"):
+        adam.step(values, np.zeros(3, np.float32), adam.Moments.zeros((2, 2)), np.ones(2, np.int64), 1.0, 0.99)
 
 
 def test_insert_puts_new_paths_on_top_of_their_group_without_moments() -> None:

@@ -7,6 +7,8 @@ import pytest
 import vectortalker_core as core
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.ndimage import gaussian_filter, label, uniform_filter
+from skimage.measure import find_contours
 from vectortalker.vectorize.interior_starts import resegment
 from vectortalker.vectorize.peaks import SPACING, coherent_energy, error_samples, greedy_maxima
 from vectortalker.vectorize.starts import affine_fill, circle, contour_start, through_samples
@@ -90,10 +92,42 @@ def test_contour_start_takes_the_outline_and_colour_of_its_component() -> None:
     bean = (((x - 40) / 22.0) ** 2 + ((y - 40) / 9.0) ** 2 < 1) & ~((np.abs(x - 40) < 6) & (y < 36))
     target = np.where(bean[..., None], [0.9, 0.2, 0.1], 0.5).astype(np.float32)
     residual = (target - 0.5).astype(np.float32)
-    start = contour_start(target, residual, (40, 42), 12, 8)
+    start = contour_start(target, residual, np.ones(residual.shape[:2], np.bool_), (40, 42), 12, 8)
     found = covered(start.points, 80) > 0.5
     assert (found & bean).sum() / (found | bean).sum() > 0.75  # the notch is blurred
     assert np.allclose(start.stops[:, :3].mean(axis=0), [0.9, 0.2, 0.1], atol=0.08)
+
+
+@pytest.mark.parametrize("reach", [0, 3, 50])
+def test_coherent_energy_is_that_of_box_means(reach: int) -> None:
+    generator = np.random.default_rng(0)
+    residual = generator.normal(size=(20, 31, 3)).astype(np.float32)
+    weight = generator.random((20, 31), np.float32)
+    mean = uniform_filter(residual * weight[..., None], size=2 * reach + 1, axes=(0, 1), mode="constant")
+    expected = (mean**2).sum(axis=2)
+    assert np.allclose(core.coherent_energy(residual, weight, reach), expected, atol=1e-6 * expected.max())
+
+
+def test_contour_is_that_of_marching_squares() -> None:
+    field = gaussian_filter(np.random.default_rng(0).normal(size=(60, 50)), 2).astype(np.float32)
+    y, x = (int(i) for i in np.unravel_index(np.argmax(field), field.shape))
+    level = 0.02
+    labels, _ = label(field > level)
+    found = core.contour(field, x, y, level)
+    assert found is not None
+    inside, outline = found
+    assert (inside == (labels == labels[y, x])).all()
+    lowered = np.where(inside, field, np.minimum(field, level - 1e-3))
+    longest = max(find_contours(np.pad(lowered, 1, constant_values=-1), level), key=len)[:, ::-1] - 1
+    ours = {tuple(point) for point in np.round(outline.astype(float), 3).tolist()}
+    theirs = {tuple(point) for point in np.round(longest, 3).tolist()}
+    border = {point for point in ours if not (0 <= point[0] <= 49 and 0 <= point[1] <= 59)}
+    assert len(ours ^ theirs) <= 2 * len(border)  # rounding may differ beyond the border only
+
+
+@pytest.mark.parametrize("level", [2.0, float("nan")])
+def test_contour_of_a_pixel_that_is_not_above_the_level_is_none(level: float) -> None:
+    assert core.contour(np.ones((4, 4), np.float32), 1, 1, level) is None
 
 
 def test_affine_fill_reproduces_linear_colours() -> None:

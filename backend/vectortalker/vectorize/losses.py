@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,6 +15,7 @@ from vectortalker.vectorize.level import FIRST_LOCAL, FORE, LID, TOP, Completion
 from vectortalker.vectorize.population import Population
 
 FLATNESS = 0.1  # px; the pictures of finished scenes come within 55 dB of much finer chords'
+EVERY_BAND = (1, 0)
 SILHOUETTE_SCALE = 0.25  # resolution at which the fore layer is looked at alone: a sixteenth of the pixels
 
 
@@ -23,12 +24,14 @@ class Fidelity:
     """How closely a pass follows what renderers paint.
 
     `subrows` a pixel (1, 2, 4): the nonzero rule where paths fold; `threads` (0: all); `flatness`: px that a chord may
-    stray from its cubic.
+    stray from its cubic. `bands` (every, first): bands of 16 rows that stand for all; gradients are right on the mean
+    of passes with every `first`.
     """
 
     subrows: int = 1
     threads: int = 0
     flatness: float = FLATNESS
+    bands: tuple[int, int] = EVERY_BAND
 
 
 @dataclass(frozen=True)
@@ -66,6 +69,7 @@ def evaluate(population: Population, level: Level, fidelity: Fidelity, importanc
         flatness=fidelity.flatness,
         importance=importance,
         picture=False,
+        bands=fidelity.bands,
     )
     gradients = {"points": grad_points, "stops": grad_stops, "axis": grad_axis}
     return Evaluation(float(np.sum(losses)), gradients, gains)
@@ -144,6 +148,19 @@ def picture_below(population: Population, level: Level, group: int, fidelity: Fi
     """Image f32 [H, W, 3] of the paths under the first of `group`."""
     return core.rasterize(
         *_paths_below(population, level, group),
+        subrows=fidelity.subrows,
+        threads=fidelity.threads,
+        flatness=fidelity.flatness,
+    )
+
+
+def pictures_below(
+    population: Population, level: Level, groups: Sequence[int], fidelity: Fidelity
+) -> NDArray[np.float32]:
+    """Images f32 [k, H, W, 3] of the paths under the first of each of the ascending `groups`, in one pass."""
+    return core.rasterize_stack(
+        *_paths_below(population, level, TOP),
+        [population.below(group) for group in groups],
         subrows=fidelity.subrows,
         threads=fidelity.threads,
         flatness=fidelity.flatness,

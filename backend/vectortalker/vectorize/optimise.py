@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from vectortalker.vectorize.level import FIRST_LOCAL, LID, Level
-from vectortalker.vectorize.losses import FLATNESS, Fidelity, complete_local, detach_fore, evaluate
+from vectortalker.vectorize.losses import EVERY_BAND, FLATNESS, Fidelity, complete_local, detach_fore, evaluate
 from vectortalker.vectorize.options import Settings
 from vectortalker.vectorize.painted import compensate
 from vectortalker.vectorize.population import Population, move, rescale, take
@@ -17,7 +17,7 @@ from vectortalker.vectorize.schedule import LEAST_RADIUS, RECIPES, Ingredients, 
 from vectortalker.vectorize.seeding import seed
 
 REPORT_EVERY = 10  # iterations; a cancelled job stops within a tenth of a second
-PICTURE_EVERY = 100  # iterations between scenes worth showing
+PICTURE_EVERY = 200  # iterations between scenes worth showing
 REALLOCATE_EVERY = 50
 LEAST_IMPORTANCE = 0.25  # paths under this share of the mean importance are moved …
 MOST_MOVED = 0.08  # … at most this share of all at a time
@@ -67,19 +67,17 @@ def optimise(
         if index:
             population = rescale(population, plans[index - 1].frame, level_plan.frame)
         missing = max(0, level_plan.paths - len(population))
-        population = seed(
-            population, level, missing, level_plan.radius, ingredients, settings.fills == "gradient", generator
-        )
+        gradient, fidelity = settings.fills == "gradient", Fidelity(threads=threads)
+        population = seed(population, level, missing, level_plan.radius, ingredients, gradient, fidelity, generator)
         yield Step(population, index, done, picture=index > 0, level_done=False)
         fitted = level
         corrected_at = corrections(ingredients, level_plan)
         for i in range(1, level_plan.iterations + 1):
-            iteration = _Iteration(
-                i,
-                decay(done, total, ingredients.decay_from),
-                _fidelity(ingredients, i, level_plan.iterations, last, threads),
-                _moved_radius(ingredients, i, level_plan, last),
-            )
+            moved_radius = _moved_radius(ingredients, i, level_plan, last)
+            fidelity = _fidelity(ingredients, i, level_plan.iterations, last, threads)
+            if moved_radius is not None:
+                fidelity = replace(fidelity, bands=EVERY_BAND)  # importance is of the whole picture
+            iteration = _Iteration(i, decay(done, total, ingredients.decay_from), fidelity, moved_radius)
             if last and i in corrected_at:
                 fitted = compensate(level, population, iteration.fidelity)
             population = _iterate(population, fitted, settings, iteration, generator)
@@ -95,9 +93,10 @@ def optimise(
 
 def _fidelity(ingredients: Ingredients, i: int, iterations: int, last: bool, threads: int) -> Fidelity:
     """Coarse chords cost nothing while finer ones follow: a recipe without a polish has the fine ones throughout."""
+    bands = (ingredients.bands, i % ingredients.bands) if last else EVERY_BAND
     if last and i > iterations * (1 - ingredients.polish):
-        return Fidelity(4, threads)
-    return Fidelity(1, threads, COARSE_FLATNESS if ingredients.polish else FLATNESS)
+        return Fidelity(4, threads, bands=bands)
+    return Fidelity(1, threads, COARSE_FLATNESS if ingredients.polish else FLATNESS, bands)
 
 
 def _moved_radius(ingredients: Ingredients, i: int, level_plan: LevelPlan, last: bool) -> float | None:
@@ -136,7 +135,7 @@ def _iterate(
     weak = least_important(result.importance, population.group)
     kept = take(population, np.setdiff1d(np.arange(len(population)), weak))
     gradient = settings.fills == "gradient"
-    return seed(kept, level, len(weak), iteration.moved_radius, ingredients, gradient, generator)
+    return seed(kept, level, len(weak), iteration.moved_radius, ingredients, gradient, iteration.fidelity, generator)
 
 
 def _add_asides(

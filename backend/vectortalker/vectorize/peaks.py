@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
+import vectortalker_core as core
 from numpy.typing import NDArray
-from scipy.ndimage import uniform_filter
 
 BLUR = 0.8  # half side of the averaging box, in radii of the start
 SPACING = 1.3  # least distance of two centres of one sheet, in radii
@@ -15,9 +15,7 @@ def coherent_energy(residual: NDArray[np.float32], weight: NDArray[np.float32], 
 
     Texture averages out; an area of one wrong colour stays.
     """
-    side = 2 * max(0, round(BLUR * radius)) + 1
-    mean = uniform_filter(residual * weight[..., None], size=side, axes=(0, 1), mode="constant")
-    return np.einsum("hwc,hwc->hw", mean, mean)
+    return core.coherent_energy(residual, weight, max(0, round(BLUR * radius)))
 
 
 def greedy_maxima(

@@ -142,12 +142,14 @@ def move(
     lids = slice(population.below(LID), population.below(FIRST_LOCAL))
     population.age += 1
     stop_rates = np.array([rates.colour] * 3 + [0.0 if opaque else rates.opacity], np.float32)
-    for name, rate in (("points", rates.points), ("stops", stop_rates), ("axis", rates.axis)):
+    ranges = {
+        "points": (rates.points, (-OVERHANG, np.array(frame, np.float32) + np.float32(OVERHANG))),
+        "stops": (stop_rates, (0.0, 1.0)),
+        "axis": (rates.axis, (-np.inf, np.inf)),
+    }
+    for name, (rate, limits) in ranges.items():
         gradients[name][lids] = 0
         values, moments = getattr(population, name), population.moments[name]
-        step(values, gradients[name], moments, population.age, rate, rates.beta2)
-    np.clip(population.stops, 0, 1, out=population.stops)
+        step(values, gradients[name], moments, population.age, rate, rates.beta2, limits)
     if opaque:
         population.stops[..., 3] = 1
-    limits = np.array(frame, np.float32) + np.float32(OVERHANG)
-    np.clip(population.points, -np.float32(OVERHANG), limits, out=population.points)

@@ -27,7 +27,8 @@ class Ingredients:
     paths start. `contours`: they take the residual's outline instead of a circle. `reallocate`: share of the last level
     until which useless paths are moved. `decay_from`: share of all iterations after which rates fall to zero along a
     cosine. `polish`: share of the last level, at its end, with 4 sub-rows a pixel. `compensate`: shares of the last
-    level at which the targets are corrected by what a renderer paints differently.
+    level at which the targets are corrected by what a renderer paints differently. `bands`: iterations of the last
+    level take turns to look at one band of rows in so many.
     """
 
     smooth: bool
@@ -38,6 +39,7 @@ class Ingredients:
     decay_from: float
     polish: float
     compensate: tuple[float, ...]
+    bands: int
     rates: Rates
 
 
@@ -50,6 +52,7 @@ PAPER = Ingredients(
     decay_from=1.0,
     polish=0.0,
     compensate=(),
+    bands=1,
     rates=Rates(points=1.0, colour=0.01, opacity=0.01, axis=1.0, beta2=0.999),  # paper, section 4.1
 )
 RECIPES: dict[Recipe, Ingredients] = {
@@ -62,6 +65,7 @@ RECIPES: dict[Recipe, Ingredients] = {
         decay_from=0.75,
         polish=0.1,
         compensate=(0.7, 0.85, 0.93),
+        bands=2,
         rates=Rates(points=0.7, colour=0.03, opacity=0.02, axis=1.0, beta2=0.99),
     ),
     "paper": PAPER,

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vectortalker.vectorize.level import Level
-from vectortalker.vectorize.losses import Fidelity, picture_below
+from vectortalker.vectorize.losses import Fidelity, pictures_below
 from vectortalker.vectorize.peaks import coherent_energy, error_samples, greedy_maxima
 from vectortalker.vectorize.population import Population, insert
 from vectortalker.vectorize.schedule import Ingredients
@@ -23,18 +23,21 @@ def seed(
     radius: float,
     ingredients: Ingredients,
     gradient: bool,
+    fidelity: Fidelity,
     generator: np.random.Generator,
 ) -> Population:
     """`count` more paths, each on top of the layer that it belongs to; fewer only where no error at all is left."""
-    residuals = [sheet.target - picture_below(population, level, sheet.below, Fidelity()) for sheet in level.sheets]
-    claimed = [r * (sheet.claim > 0)[..., None] for r, sheet in zip(residuals, level.sheets, strict=True)]
+    pictures = pictures_below(population, level, [sheet.below for sheet in level.sheets], fidelity)
+    residuals = [sheet.target - picture for sheet, picture in zip(level.sheets, pictures, strict=True)]
+    claimed = [sheet.claim > 0 for sheet in level.sheets]
     segments = population.points.shape[1] // 3
     starts: list[Start] = []
     groups: list[int] = []
     for centre, sheet_index, reach in _places(level, residuals, count, radius, ingredients, generator):
         sheet = level.sheets[sheet_index]
         if ingredients.contours:
-            starts.append(contour_start(sheet.target, claimed[sheet_index], centre, reach, segments))
+            error = residuals[sheet_index], claimed[sheet_index]
+            starts.append(contour_start(sheet.target, *error, centre, reach, segments))
         else:
             starts.append(circle_start(sheet.target, centre, reach, segments))
         groups.append(int(sheet.owner[centre[1], centre[0]]))

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import vectortalker_core as core
 from numpy.typing import NDArray
-from scipy.ndimage import gaussian_filter, label
-from skimage.measure import find_contours
+from scipy.ndimage import gaussian_filter
 
 from vectortalker.scene import STOPS
 
@@ -60,50 +60,45 @@ def circle_start(target: NDArray[np.float32], centre: tuple[int, int], radius: f
 def contour_start(
     target: NDArray[np.float32],
     residual: NDArray[np.float32],
+    claimed: NDArray[np.bool_],
     centre: tuple[int, int],
     radius: float,
     segments: int,
 ) -> Start:
     """Outline and colours of the residual's component at `centre`; a circle where it has none to speak of.
 
-    The component is the 4-connected set of pixels whose blurred residual (`residual` [H, W, 3] = target − picture),
-    taken along its own mean direction over the disc, passes `COMPONENT_LEVEL` of that mean.
+    The component is the 4-connected set of pixels whose blurred residual (`residual` [H, W, 3] = target − picture where
+    `claimed` [H, W], else 0), taken along its own mean direction over the disc, passes `COMPONENT_LEVEL` of that mean.
     """
     reach = WINDOW * radius
-    error, (x0, y0) = _window(residual, centre, reach)
-    near, _ = _window(residual, centre, 0.8 * radius)
+    (error, (x0, y0)), (near, _) = (_claimed_window(residual, claimed, centre, r) for r in (reach, 0.8 * radius))
     direction = near.reshape(-1, 3).mean(axis=0)
     strength = float(np.linalg.norm(direction))
     if strength == 0:
         return circle_start(target, centre, radius, segments)
     along = gaussian_filter(error @ (direction / strength), max(0.5, COMPONENT_BLUR * radius), mode="nearest")
-    level = COMPONENT_LEVEL * strength
-    labels = np.zeros(along.shape, np.int32)
-    label(along > level, output=labels)
-    own = labels[centre[1] - y0, centre[0] - x0]
-    component = labels == own
-    if own == 0 or np.count_nonzero(component) < MIN_COMPONENT:
+    found = core.contour(along, centre[0] - x0, centre[1] - y0, COMPONENT_LEVEL * strength)
+    if found is None or np.count_nonzero(found[0]) < MIN_COMPONENT:
         return circle_start(target, centre, radius, segments)
-    outline = _outline(np.where(component, along, np.minimum(along, level)), component, level)
-    points = through_samples(outline + np.array([x0 + 0.5, y0 + 0.5]), segments)
+    component, outline = found
+    closed = np.concatenate([outline, outline[:1]]).astype(np.float64)
+    points = through_samples(closed + np.array([x0 + 0.5, y0 + 0.5]), segments)
     window, _ = _window(target, centre, reach)
     stops, axis = affine_fill(window, component, (x0, y0))
     return Start(points, stops, axis)
 
 
-def _window(image: NDArray[np.float32], centre: tuple[int, int], reach: float) -> tuple[NDArray, tuple[int, int]]:
+def _window(image: NDArray, centre: tuple[int, int], reach: float) -> tuple[NDArray, tuple[int, int]]:
     half = max(1, round(reach))
     x0, y0 = max(0, centre[0] - half), max(0, centre[1] - half)
     return image[y0 : centre[1] + half + 1, x0 : centre[0] + half + 1], (x0, y0)
 
 
-def _outline(field: NDArray[np.float32], component: NDArray[np.bool_], level: float) -> NDArray[np.float64]:
-    """Longest closed contour x, y of `field` at `level` around `component`, in pixel-centre coordinates."""
-    outside = min(float(field.min()), level) - 1e-3
-    framed = np.pad(np.where(component, field, np.minimum(field, level - 1e-3)), 1, constant_values=outside)
-    contours = find_contours(framed, level)
-    longest = max(contours, key=lambda line: float(np.abs(np.diff(line, axis=0)).sum()))
-    return longest[:, ::-1] - 1
+def _claimed_window(
+    residual: NDArray[np.float32], claimed: NDArray[np.bool_], centre: tuple[int, int], reach: float
+) -> tuple[NDArray[np.float32], tuple[int, int]]:
+    error, corner = _window(residual, centre, reach)
+    return error * _window(claimed, centre, reach)[0][..., None], corner
 
 
 def through_samples(outline: NDArray[np.float64], segments: int) -> NDArray[np.float32]:
