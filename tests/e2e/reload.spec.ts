@@ -1,6 +1,6 @@
 /** What is under way when the page is reloaded goes on. */
 import { expect, type Page, test } from '@playwright/test';
-import { landmark, openEditor, tracingDone } from './editor';
+import { chooseFile, landmark, openEditor, tracingDone } from './editor';
 import { openPortraitOfNumbers } from './portrait';
 import { syllablesWav } from './sounds';
 
@@ -51,12 +51,14 @@ test('a reload while speech is listened to goes on with the work that the server
   expect(asksAgain).toBe(0);
 });
 
-test('a portrait that was left for the first screen waits there, after a reload too', async ({ page }) => {
+test('a portrait that was left for the first screen waits there, after a refused file and a reload too', async ({ page }) => {
   await openPortraitOfNumbers(page);
   await page.getByRole('button', { name: 'Surprised' }).click();
   await page.getByRole('button', { name: 'VectorTalker: start with another portrait' }).click();
   await expect(page.getByRole('button', { name: 'Choose a file' })).toBeVisible();
   await page.keyboard.press('Control+z'); // no key reaches what is not on the stage
+  await chooseFile(page, { name: 'notes.png', mimeType: 'image/png', buffer: Buffer.from('not a picture') });
+  await expect(page.getByRole('alert')).toContainText('notes.png');
   await page.reload();
   await page.getByRole('button', { name: 'Go on with “Numbers”' }).click();
   await expect(page.getByRole('spinbutton', { name: 'Jaw, value' })).toHaveValue('0.60');

@@ -85,6 +85,6 @@ function show(work: Work): void {
     hearing.value = work.speech.hearing;
   }
   if (work.job.state) void resumeTracing(work.job.state, work.job.landmarks);
-  else void resumeOpening();
+  if (!work.job.state || work.session.kind === 'uploading') void resumeOpening();
   void resumeHearing();
 }

@@ -132,7 +132,7 @@ const BY_KEYS = new Map(
 export function listenToShortcuts(): () => void {
   let spaceDrag = false;
   const down = (event: KeyboardEvent) => {
-    if (isTyping(event.target) || event.altKey || (session.value.kind === 'welcome' && event.key !== '?')) return;
+    if (isTyping(event.target) || event.altKey || (isStageCovered() && event.key !== '?')) return;
     const keys = combinationOf(event);
     if (keys === ' ') {
       if (isButton(event.target)) return;
@@ -176,6 +176,7 @@ export function combinationOf(event: Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'me
   return `${event.ctrlKey || event.metaKey ? 'mod+' : ''}${isShifted ? 'shift+' : ''}${key}`;
 }
 
+const isStageCovered = () => session.value.kind === 'welcome' || session.value.kind === 'uploading';
 const isTyping = (target: EventTarget | null) =>
   target instanceof HTMLTextAreaElement ||
   target instanceof HTMLSelectElement ||

@@ -13,19 +13,32 @@ import { leaveJob, startTracing } from './tracing';
 
 let opening = new AbortController();
 
-/** From a picture to a running job. A newer picture takes over from one that is still being opened. */
+/** From a picture to a running job. A newer picture takes over from one that is still being opened; a refused one leaves all as it was. */
 export async function openPicture(picture: Blob, name: string): Promise<void> {
-  clearStage();
-  const { signal } = opening;
-  session.value = { kind: 'uploading', name, picture };
+  const { signal } = startOpening();
+  const before = session.value.kind === 'uploading' ? session.value.before : session.value;
+  playing.value = false;
+  dismiss();
+  session.value = { kind: 'uploading', name, picture, before };
+  const posted = await postPortrait(picture, name, signal).catch((error: unknown) => {
+    if (signal.aborted) return null;
+    session.value = before;
+    report(error);
+    if (before.kind === 'finding') void resumeOpening();
+    return null;
+  });
+  if (posted) await openPosted(posted, picture, signal);
+}
+
+async function openPosted(posted: Portrait, picture: Blob, signal: AbortSignal): Promise<void> {
+  emptyStage();
+  show(posted, picture);
+  replaceByNormalised(posted, signal).catch(report);
   try {
-    const posted = await postPortrait(picture, name, signal);
-    show(posted, picture);
-    replaceByNormalised(posted, signal).catch(report);
     await findFaces(posted, signal);
   } catch (error) {
     if (signal.aborted) return;
-    session.value = portrait.value ? { kind: 'editing' } : { kind: 'welcome', behind: null };
+    session.value = { kind: 'editing' };
     report(error);
   }
 }
@@ -53,7 +66,12 @@ export async function resumeOpening(): Promise<void> {
 export function leavePortrait(): void {
   const now = session.value;
   if (now.kind === 'welcome') return;
-  if (now.kind === 'uploading' || now.kind === 'finding') return closePortrait();
+  if (now.kind === 'finding') return closePortrait();
+  if (now.kind === 'uploading') {
+    startOpening();
+    session.value = now.before;
+    return leavePortrait();
+  }
   playing.value = false;
   dismiss();
   session.value = { kind: 'welcome', behind: now };
@@ -104,10 +122,20 @@ export function stopPinning(): void {
   session.value = { kind: 'editing' };
 }
 
-/** Takes everything off the stage; what is still being opened or traced is stopped. */
-export function clearStage(): void {
+/** Stops what is still being opened. */
+function startOpening(): AbortController {
   opening.abort();
   opening = new AbortController();
+  return opening;
+}
+
+/** Takes everything off the stage; what is still being opened or traced is stopped. */
+export function clearStage(): void {
+  startOpening();
+  emptyStage();
+}
+
+function emptyStage(): void {
   leaveJob();
   cancelListening();
   dismiss();

@@ -32,7 +32,8 @@ export type Clip = {
 export type Session = { readonly kind: 'welcome'; readonly behind: Workplace | null } | Workplace;
 
 export type Workplace =
-  | { readonly kind: 'uploading'; readonly name: string; readonly picture: Blob }
+  /** `before` stays until the server has taken the picture: it may refuse it. */
+  | { readonly kind: 'uploading'; readonly name: string; readonly picture: Blob; readonly before: Session }
   | { readonly kind: 'finding' }
   | { readonly kind: 'choosing'; readonly faces: Faces }
   | { readonly kind: 'pinning'; readonly pins: Pins; readonly noFaceFound: boolean }
