@@ -12,6 +12,7 @@ import shutil
 import subprocess
 from collections.abc import Callable, Mapping
 from functools import partial
+from typing import Any
 
 import numpy as np
 import vtracer
@@ -38,7 +39,7 @@ def n_segments(svg: str) -> int:
     return sum(max(1, len(NUMBER.findall(numbers)) // NUMBERS_OF[kind]) for path in drawn for kind, numbers in path)
 
 
-def _vtracer(picture: Picture, **settings: int) -> str:
+def _vtracer(picture: Picture, **settings: Any) -> str:  # whatever its own arguments are
     png = io.BytesIO()
     Image.fromarray(picture).save(png, "PNG")
     return vtracer.convert_raw_image_to_svg(png.getvalue(), img_format="png", **settings)
