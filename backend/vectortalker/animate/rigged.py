@@ -27,10 +27,10 @@ class RiggedScene:
     rest: Points  # the frame of the rest pose, [N, 2]
 
 
-def rig_scene(scene: Scene, landmarks: Landmarks, *, split: bool = True) -> RiggedScene:
-    """`split=False` is the paper's ablation. Raises `bad_landmarks` when the face has no extent."""
+def rig_scene(scene: Scene, landmarks: Landmarks, *, split: bool = True, smooth: bool = True) -> RiggedScene:
+    """`split=False` is the paper's ablation, `smooth` repairs kinks. Raises `bad_landmarks` when the face has no extent."""
     try:
-        rig = build_rig(scene, landmarks, split=split)
+        rig = build_rig(scene, landmarks, split=split, smooth=smooth)
     except ValueError as error:
         raise VectorTalkerError("bad_landmarks", f"{error}. Correct the landmarks in the editor.") from error
     paths = rig.frame_points(rig.rest_vertices)

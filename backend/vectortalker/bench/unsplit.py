@@ -37,7 +37,7 @@ def unsplit_table(people: Sequence[Sitter], preset: Preset, folder: Path) -> str
             continue
         name = Path(sitter.portrait.name).stem
         scene = traced(sitter, preset, folder / f"{name}.vtalk").scene
-        split, unsplit = (rig_scene(scene, sitter.landmarks, split=on) for on in (True, False))
+        split, unsplit = (rig_scene(scene, sitter.landmarks, split=on, smooth=False) for on in (True, False))
         frames = [(split, split.rest), (split, _posed(split)), (unsplit, _posed(unsplit))]
         pictures = [Camera(r, MOUTH, np.array(sitter.landmarks.points)).picture(points) for r, points in frames]
         with whole_file(folder / f"{name}-unsplit.png") as part:
@@ -51,14 +51,14 @@ def _posed(rigged: RiggedScene) -> Points:
 
 
 def _cells(split: RiggedScene, unsplit: RiggedScene, scale: float) -> list[str]:
-    apart, exact = _errors(unsplit) * scale, _errors(split) * scale
+    apart, exact = distances_from_map(unsplit) * scale, distances_from_map(split) * scale
     seen = apart[apart > SEEN]
     counts = [str(int(np.diff(r.drawing.bounds)[list(r.drawing.layers[1])].sum())) for r in (split, unsplit)]
     mean = f"{seen.mean():.1f} px" if len(seen) else "–"
     return [*counts, f"{len(seen) / len(apart):.1%}", mean, f"{apart.max():.1f} px", f"{exact.max():.2f} px"]
 
 
-def _errors(rigged: RiggedScene) -> Points:
+def distances_from_map(rigged: RiggedScene) -> Points:
     """Distances [n] of points along the fore's moved outlines from where their triangles' affine maps take them."""
     vertices = rigged.rig.vertices(POSE).vertices
     warped, bounds = _posed(rigged), rigged.drawing.bounds
