@@ -17,13 +17,13 @@ from vectortalker.schema import Landmarks
 
 PLAIN = 0.015  # OKLab distance within which skin is of one colour …
 LEAST_PLAIN = 0.75  # … for this share of the cheeks; flat drawings have .8 to 1, paintings and photographs up to .3
-INSET = 0.92  # of the opening's size: the rig takes what lies wholly within an opening for a cover of the eye
+INSET = 0.96  # of the opening's size: the rig takes what lies wholly within an opening for a cover of the eye
 FADE = 0.3  # of the lid's height: strands of hair above the eye end softly on the lid
 NEAR = 0.3  # of the eye's width: skin this far around it …
 LIKE_SKIN = 0.08  # … and this like the cheeks' in OKLab gives the lid its colour
 LASH_SPAN = (0.08, 0.92)  # of the upper edge
 LASH_STEPS = 32
-LASH_STRIP = (0.05, 0.13)  # of the way from the upper to the lower edge; the rig takes the first fifth for lashes
+LASH_STRIP = (0.05, 0.16)  # of the way from the upper to the lower edge; the rig takes the first fifth for lashes
 DARKEST = 5  # per cent of the eye and what is around it
 CHORDS = 16  # a cubic
 
