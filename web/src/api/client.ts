@@ -1,5 +1,5 @@
 /** Asks the server; every failure becomes a `RequestError` with the server's code and sentence. */
-import { isLeaving } from './leaving';
+import { unlessLeaving } from './leaving';
 import type { Faces, JobRequest, JobState, Landmarks, Portrait, Scene, VectorizeOptions, VideoRequest } from './schema';
 
 /** The server's own codes, and `offline` when it does not answer at all. */
@@ -39,8 +39,7 @@ export function portraitImageUrl(portraitId: string): string {
 }
 
 export async function getPortraitImage(portraitId: string, signal?: AbortSignal): Promise<Blob> {
-  const response = await answered(portraitImageUrl(portraitId), { signal });
-  return response.blob();
+  return requestBlob(portraitImageUrl(portraitId), { signal });
 }
 
 export function getFaces(portraitId: string, signal?: AbortSignal): Promise<Faces> {
@@ -78,8 +77,7 @@ export function postVideo(video: VideoRequest, signal?: AbortSignal): Promise<Jo
 }
 
 export async function getVideo(jobId: string, signal?: AbortSignal): Promise<Blob> {
-  const response = await answered(`api/videos/${encodeURIComponent(jobId)}/file`, { signal });
-  return response.blob();
+  return requestBlob(`api/videos/${encodeURIComponent(jobId)}/file`, { signal });
 }
 
 const jobUrl = (jobId: string) => `api/jobs/${encodeURIComponent(jobId)}`;
@@ -87,14 +85,19 @@ const jobUrl = (jobId: string) => `api/jobs/${encodeURIComponent(jobId)}`;
 /** The JSON that the server answers. */
 export async function request<T>(url: string, init: RequestInit): Promise<T> {
   const response = await answered(url, init);
-  return (await response.json()) as T;
+  return (await unlessLeaving(response.json())) as T;
+}
+
+/** The file that the server answers. */
+export async function requestBlob(url: string, init: RequestInit): Promise<Blob> {
+  const response = await answered(url, init);
+  return unlessLeaving(response.blob());
 }
 
 /** The answer itself, if it is no refusal. */
 export async function answered(url: string, init: RequestInit): Promise<Response> {
-  const response = await fetch(url, init).catch((reason: unknown) => {
+  const response = await unlessLeaving(fetch(url, init)).catch((reason: unknown) => {
     if (reason instanceof DOMException && reason.name === 'AbortError') throw reason;
-    if (isLeaving()) return new Promise<never>(() => {}); // the work is kept as it stands, to go on after a reload
     throw new RequestError('offline', 'The server does not answer. What is open here stays and can be edited, played and exported.');
   });
   if (!response.ok) throw await refusal(response);

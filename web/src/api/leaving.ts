@@ -14,4 +14,7 @@ export function watchLeaving(): void {
   });
 }
 
-export const isLeaving = (): boolean => leaving;
+/** Settles as `answer` does, but never fails while the page is being left: the work is kept as it stands, to go on after a reload. */
+export function unlessLeaving<T>(answer: Promise<T>): Promise<T> {
+  return answer.catch((reason: unknown) => (leaving ? new Promise<never>(() => {}) : Promise.reject(reason)));
+}

@@ -1,5 +1,5 @@
 /** Asks the server about speech: recordings, listening to them, tracks from visemes, and track files of other programs. */
-import { answered, request } from './client';
+import { answered, request, requestBlob } from './client';
 import type {
   JobState,
   Recording,
@@ -26,8 +26,7 @@ export function postSpoken(text: string, language: string, signal?: AbortSignal)
 }
 
 export async function getRecordingAudio(recordingId: string, signal?: AbortSignal): Promise<Blob> {
-  const response = await answered(`api/recordings/${encodeURIComponent(recordingId)}/audio`, { signal });
-  return response.blob();
+  return requestBlob(`api/recordings/${encodeURIComponent(recordingId)}/audio`, { signal });
 }
 
 export async function deleteRecording(recordingId: string): Promise<void> {
@@ -67,8 +66,7 @@ export function importTrack(file: Blob, name: string, signal?: AbortSignal): Pro
 
 export async function exportTrack(track: Track, format: TrackFormat, signal?: AbortSignal): Promise<Blob> {
   const body: TrackExportRequest = { track, format };
-  const response = await answered('api/tracks/export', { ...posted(body), signal });
-  return response.blob();
+  return requestBlob('api/tracks/export', { ...posted(body), signal });
 }
 
 function formOf(file: Blob, name: string): FormData {
