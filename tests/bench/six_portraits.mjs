@@ -128,9 +128,8 @@ async function playDemo(page, out) {
 }
 
 async function download(page, press, path) {
-  const waiting = page.waitForEvent('download');
-  await press();
-  await (await waiting).saveAs(path);
+  const [file] = await Promise.all([page.waitForEvent('download'), press()]);
+  await file.saveAs(path);
   return path;
 }
 

@@ -1,7 +1,7 @@
 /** Every state can be used by keyboard and screen reader: axe finds nothing, and landmarks move by arrow keys. */
 import { expect, test } from '@playwright/test';
 import { expectNoViolations } from './axe';
-import { landmark, openEditor, traceSample } from './editor';
+import { centreOf, drag, landmark, openEditor, traceSample } from './editor';
 
 const WINDOWS = [
   ['1440 × 900 at 200 %', 720, 450],
@@ -31,6 +31,11 @@ test('axe finds nothing, and landmarks are moved by keyboard', async ({ page }) 
     await page.getByRole('button', { name: 'Adjust the landmarks' }).click();
     await expect(page.getByRole('img', { name: 'Mouth, enlarged' })).toBeVisible();
     await expectNoViolations(page);
+    const corner = await centreOf(page.getByRole('img', { name: 'Mouth, enlarged' }).locator('circle').first());
+    await drag(page, corner, { x: corner.x - 12, y: corner.y });
+    await expect(page.getByRole('button', { name: 'Undo' })).toBeEnabled(); // the drag is one step
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
   });
   await page.getByRole('tab', { name: 'Layers' }).click();
   await page.keyboard.press('?');
