@@ -1,4 +1,4 @@
-"""Draws waveform, lip opening and visemes of recordings over one another.
+"""Draws spectrogram, waveform, lip opening and visemes of recordings over one another, and tells how they go together.
 
     python scripts/speech/plot.py OUT_FOLDER AUDIO… [--transcript TEXT --language en]
 
@@ -19,6 +19,7 @@ from matplotlib import pyplot as plt
 from vectortalker.schema import Track
 from vectortalker.speech import Options, as_landmarks, track_from_audio
 from vectortalker.speech.audio import RATE, mono_chunks
+from vectortalker.speech.features import levels, log_mels
 from vectortalker.speech.visemes import VISEMES
 
 SECONDS_A_ROW = 3.0
@@ -50,6 +51,14 @@ def draw(path: Path, track: Track, out: Path) -> None:
     plt.close(figure)
 
 
+def loudness_correlation(path: Path, track: Track) -> float:
+    """Of the lip opening with the loudness, frame by frame: lips that follow nothing but loudness have 1."""
+    loudness = levels(log_mels(mono_chunks(path)))[::2]
+    gap = lip_gap(as_landmarks(track).landmarks)
+    n_frames = min(len(gap), len(loudness))
+    return float(np.corrcoef(gap[:n_frames], loudness[:n_frames])[0, 1])
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("out", type=Path)
@@ -60,7 +69,9 @@ def main() -> None:
     options.out.mkdir(parents=True, exist_ok=True)
     for path in options.audio:
         choice = Options(transcript=options.transcript, language=options.language)
-        draw(path, track_from_audio(path, choice, lambda stage, done: None), options.out / f"{path.stem}.png")
+        track = track_from_audio(path, choice, lambda stage, done: None)
+        draw(path, track, options.out / f"{path.stem}.png")
+        print(f"{path.stem}: lip opening and loudness correlate by {loudness_correlation(path, track):.2f}")
 
 
 if __name__ == "__main__":

@@ -2,8 +2,9 @@
 
 python scripts/speech/train.py CORPUS_FOLDER [--seed 0] [--epochs 26] [--start speech.pt] [--threads 1] [--out FOLDER]
 
-The weights are also kept in the corpus folder as `speech.pt`, to go on from. After each epoch the whole state is kept
-there as `state.pt`; a run that was cut short and is begun again with the same options goes on from it.
+The weights are also kept in the corpus folder as `speech.pt`, with the card beside them, to go on from. After each
+epoch the whole state is kept there as `state.pt`; a run that was cut short and is begun again with the same options
+goes on from it.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from __future__ import annotations
 import argparse
 import json
 import time
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numpy as np
@@ -190,10 +191,7 @@ def main() -> None:
     export(network, path)
     card = {
         "script": "scripts/speech/train.py",
-        "seed": options.seed,
-        "epochs": options.epochs,
-        "start": options.start.name if options.start else None,
-        "peak_rate": options.rate,
+        "runs": [*_runs_before(options.start), asdict(plan)],
         "parameters": sum(parameter.numel() for parameter in network.parameters()),
         "bytes": path.stat().st_size,
         "past_frames": PAST,
@@ -204,7 +202,13 @@ def main() -> None:
             "hours": {name: round(hours_of(source), 2) for name, source in sources.items()},
         },
     }
-    (options.out / "speech.json").write_text(json.dumps(card, indent=2) + "\n", encoding="utf-8")
+    for folder in (options.corpus, options.out):
+        (folder / "speech.json").write_text(json.dumps(card, indent=2) + "\n", encoding="utf-8")
+
+
+def _runs_before(start: Path | None) -> list[dict]:
+    """Plans of the runs that made the weights of `start`, as the card beside them tells."""
+    return json.loads(start.with_suffix(".json").read_text(encoding="utf-8"))["runs"] if start else []
 
 
 if __name__ == "__main__":
