@@ -76,8 +76,8 @@ def contour_start(
     strength = float(np.linalg.norm(direction))
     if strength == 0:
         return circle_start(target, centre, radius, segments)
-    along = gaussian_filter(error @ (direction / strength), max(0.5, COMPONENT_BLUR * radius), mode="nearest")
-    found = core.contour(along, centre[0] - x0, centre[1] - y0, COMPONENT_LEVEL * strength)
+    blurred = gaussian_filter(error @ (direction / strength), max(0.5, COMPONENT_BLUR * radius), mode="nearest")
+    found = core.contour(np.asarray(blurred, np.float32), centre[0] - x0, centre[1] - y0, COMPONENT_LEVEL * strength)
     if found is None or np.count_nonzero(found[0]) < MIN_COMPONENT:
         return circle_start(target, centre, radius, segments)
     component, outline = found
