@@ -160,5 +160,5 @@ def test_five_pins_fit_hand_set_landmarks(file: Path) -> None:
     fitted = fit_pins([(float(x), float(y)) for x, y in pins])
     assert fitted is not None
     error = np.linalg.norm(np.array(fitted.points) - points, axis=1).mean() / np.linalg.norm(points[45] - points[36])
-    # The marker drawing has brows far above its eyes and a low nose: no template knows that from five pins.
-    assert error < (0.11 if file.stem == "sketch-marker-boy" else 0.08)
+    # The marker drawing's eyes are small and far apart: five pins take its face for a fifth larger than it is.
+    assert error < (0.1 if file.stem == "sketch-marker-boy" else 0.06)
