@@ -160,7 +160,7 @@ def pictures_below(
     """Images f32 [k, H, W, 3] of the paths under the first of each of the ascending `groups`, in one pass."""
     return core.rasterize_stack(
         *_paths_below(population, level, TOP),
-        [population.below(group) for group in groups],
+        heights=[population.below(group) for group in groups],
         subrows=fidelity.subrows,
         threads=fidelity.threads,
         flatness=fidelity.flatness,
