@@ -70,17 +70,8 @@ impl BoundPaths {
             .iter()
             .map(|&(layer, source)| if layer == Layer::Fore { sockets.cover(source) } else { None })
             .collect();
-        let lidded = Part::EYES.into_iter().filter(|&eye| {
-            sources
-                .iter()
-                .zip(&covers)
-                .any(|(&(_, source), &cover)| cover == Some(Cover::Lid(eye)) && sockets.is_filled(eye, source))
-        });
-        let stilled = lidded.flat_map(|eye| {
-            let place = |vertex: usize| (vertex, socket(eye.opening(), mesh.rest[vertex], &mesh.rest));
-            set.lids(eye.opening()).into_iter().map(place).collect::<Vec<_>>()
-        });
-        let mut bound = Self { strains: Strains::of(mesh), stilled: stilled.collect(), ..Self::default() };
+        let stilled = stilled_lids(&sockets, &sources, &covers, set);
+        let mut bound = Self { strains: Strains::of(mesh), stilled, ..Self::default() };
         for (&(layer, source), cover) in sources.iter().zip(covers) {
             match (layer, cover) {
                 (Layer::Back, _) => bound.push(source, Vec::new(), false, |_| Vec::new()),
@@ -183,6 +174,23 @@ impl BoundPaths {
         repair(&mut points, &path.smooth, &self.strains, displacements);
         points
     }
+}
+
+/// Vertices of the lids of eyes that a cover fills, with the influences by which they would go with their sockets.
+fn stilled_lids(
+    sockets: &Sockets,
+    sources: &[(Layer, &[Point])],
+    covers: &[Option<Cover>],
+    set: &VertexSet,
+) -> Vec<(usize, Vec<Influence>)> {
+    let is_lidded = |eye: Part| {
+        let mut covered = sources.iter().zip(covers).filter(|(_, cover)| **cover == Some(Cover::Lid(eye)));
+        covered.any(|((_, source), _)| sockets.is_filled(eye, source))
+    };
+    let eyes = Part::EYES.into_iter().filter(|&eye| is_lidded(eye)).map(Part::opening);
+    eyes.flat_map(|eye| set.lids(eye).into_iter().map(move |vertex| (eye, vertex)))
+        .map(|(eye, vertex)| (vertex, socket(eye, set.rest[vertex], &set.rest)))
+        .collect()
 }
 
 /// Influences on control point `i` of a split path: crossings by their edge, everything else by its piece's triangle.
