@@ -108,7 +108,8 @@ test('a sound becomes a track that is heard, seen, edited, undone, kept and expo
     await visemes(page).filter({ hasText: 'aa' }).first().dblclick();
     await expect(page.getByRole('combobox', { name: 'Viseme' })).toHaveValue('PP');
     await expect(page.getByText('Lips as you edited them.')).toBeVisible();
-    expect((await labels(page)).length).toBeGreaterThan(before.length);
+    const closures = (all: readonly (string | null)[]) => all.filter((label) => label?.startsWith('PP')).length;
+    expect(closures(await labels(page))).toBe(closures(before) + 1); // a short vowel is taken up by it whole
     await page.getByRole('button', { name: 'Undo' }).click();
     await expect.poll(() => labels(page)).toEqual(before);
   });
