@@ -52,10 +52,12 @@ def draw(path: Path, track: Track, out: Path) -> None:
 
 
 def loudness_correlation(path: Path, track: Track) -> float:
-    """Of the lip opening with the loudness, frame by frame: lips that follow nothing but loudness have 1."""
+    """Of the lip opening with the loudness, frame by frame: lips that follow nothing but loudness have 1, still 0."""
     loudness = levels(log_mels(mono_chunks(path)))[::2]
     gap = lip_gap(as_landmarks(track).landmarks)
     n_frames = min(len(gap), len(loudness))
+    if np.ptp(gap) == 0 or np.ptp(loudness) == 0:
+        return 0.0
     return float(np.corrcoef(gap[:n_frames], loudness[:n_frames])[0, 1])
 
 
