@@ -1,6 +1,6 @@
 """Voices made of recordings by programs that do not tell the times of their phones: RHVoice's and SVOX Pico's.
 
-RHVoice's `slt`, and in all likelihood its Scot `alan`, are flite's held-out speakers `slt` and `awb` and so are not here.
+RHVoice's `slt`, and in all likelihood its Scot `alan`, are flite's held-out `slt` and `awb` and so are not here.
 """
 
 from __future__ import annotations
