@@ -167,7 +167,8 @@ test('words of a part, manner, and files of other programs', async ({ page }) =>
     const at = (seconds: number) => ({ x: waveform.x + (waveform.width * seconds) / SOUND_SECONDS, y: waveform.y + 10 });
     await drag(page, at(0), at(0.8));
     await page.getByRole('button', { name: 'Listen to this part' }).click();
-    await expect.poll(async () => (await labels(page))[1], { timeout: 60_000 }).toEqual(heard[1]);
+    const edited = heard.findIndex((label) => label?.startsWith('aa'));
+    await expect.poll(async () => (await labels(page))[edited], { timeout: 60_000 }).toEqual(heard[edited]);
     expect((await labels(page)).slice(-6)).toEqual(heard.slice(-6)); // a block across the end of the part is cut there
   });
 
