@@ -74,10 +74,11 @@ def optimise(
         corrected_at = corrections(ingredients, level_plan)
         for i in range(1, level_plan.iterations + 1):
             moved_radius = _moved_radius(ingredients, i, level_plan, last)
+            rate = decay(done, total, ingredients.decay_from)
             fidelity = _fidelity(ingredients, i, level_plan.iterations, last, threads)
-            if moved_radius is not None:
-                fidelity = replace(fidelity, bands=EVERY_BAND)  # importance is of the whole picture
-            iteration = _Iteration(i, decay(done, total, ingredients.decay_from), fidelity, moved_radius)
+            if moved_radius is not None or rate < 1:  # importance is of all bands, and small steps want exact gradients
+                fidelity = replace(fidelity, bands=EVERY_BAND)
+            iteration = _Iteration(i, rate, fidelity, moved_radius)
             if last and i in corrected_at:
                 fitted = compensate(level, population, iteration.fidelity)
             population = _iterate(population, fitted, settings, iteration, generator)

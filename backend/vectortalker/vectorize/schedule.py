@@ -27,8 +27,8 @@ class Ingredients:
     paths start. `contours`: they take the residual's outline instead of a circle. `reallocate`: share of the last level
     until which useless paths are moved. `decay_from`: share of all iterations after which rates fall to zero along a
     cosine. `polish`: share of the last level, at its end, with 4 sub-rows a pixel. `compensate`: shares of the last
-    level at which the targets are corrected by what a renderer paints differently. `bands`: iterations of the last
-    level take turns to look at one band of rows in so many.
+    level at which the targets are corrected by what a renderer paints differently. `bands`: until rates fall,
+    iterations of the last level take turns to look at one band of rows in so many.
     """
 
     smooth: bool
