@@ -28,7 +28,7 @@ class RiggedScene:
 
 
 def rig_scene(scene: Scene, landmarks: Landmarks, *, split: bool = True, smooth: bool = True) -> RiggedScene:
-    """`split=False` is the paper's ablation, `smooth` repairs kinks. Raises `bad_landmarks` when the face has no extent."""
+    """`split=False` is the paper's ablation, `smooth` repairs kinks. A face without extent raises `bad_landmarks`."""
     try:
         rig = build_rig(scene, landmarks, split=split, smooth=smooth)
     except ValueError as error:

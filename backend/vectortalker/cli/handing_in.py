@@ -84,7 +84,8 @@ def _ended(services: Services, handed_in: list[_HandedIn]) -> list[_HandedIn]:
 
 def _outcome(services: Services, job: _HandedIn) -> Traced | VectorTalkerError:
     state = patiently(lambda: services.jobs.get(job.job_id))
-    if state.phase != "done" or state.metrics is None:
+    metrics = state.metrics
+    if state.phase != "done" or metrics is None:
         reason = state.error.message if state.error else f"The job was {state.phase}."
         return VectorTalkerError(state.error.code if state.error else "cancelled", f"{job.path.name}: {reason}")
     faces = portraits.faces(services.blobs, job.portrait_id).faces
@@ -92,7 +93,7 @@ def _outcome(services: Services, job: _HandedIn) -> Traced | VectorTalkerError:
     svg = services.blobs.get(f"{folder(job.job_id)}/portrait.svg").decode()
     portrait = portraits.load(services.blobs, job.portrait_id)
     landmarks = faces[0].landmarks if faces else None
-    return Traced(portrait, landmarks, Result(scene, svg, state.metrics))
+    return Traced(portrait, landmarks, Result(scene, svg, lambda: metrics))
 
 
 def _clear(services: Services, job: _HandedIn) -> None:

@@ -71,7 +71,7 @@ def vectorize(
     svg = to_svg(scene, targets.openings, portrait.name, (frame.width, frame.height))
     yield Progress("measuring", last.level_index + 1, settings.levels, _n_paths(last, targets), WRITTEN, scene)
     elapsed = time.perf_counter() - clock, time.process_time() - cpu_clock
-    return Result(scene, svg, _measure(scene, svg, picture, last.iteration, elapsed))
+    return Result(scene, svg, lambda: _measure(scene, svg, picture, last.iteration, elapsed))
 
 
 def compose(

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from numpy.typing import NDArray
@@ -42,8 +44,13 @@ class Progress:
 
 @dataclass(frozen=True)
 class Result:
-    """The finished scene, its SVG text and the scores of that text's resvg rendering."""
+    """The finished scene and its SVG text; `measure` scores that text's resvg rendering, which takes about a second."""
 
     scene: schema.Scene
     svg: str
-    metrics: schema.Metrics
+    measure: Callable[[], schema.Metrics]
+
+    @cached_property
+    def metrics(self) -> schema.Metrics:
+        """Scores, measured when they are first asked for: a draft should not wait for what nobody reads."""
+        return self.measure()
