@@ -9,11 +9,13 @@ from vectortalker.landmarks.ibug import IrisDisc
 from vectortalker.schema import VectorizeOptions
 from vectortalker.vectorize.layering import LayerImages, layer_images, layered_level
 from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, LID, TOP, Level
+from vectortalker.vectorize.losses import Fidelity
 from vectortalker.vectorize.optimise import Start, Step, optimise
 from vectortalker.vectorize.options import resolve
-from vectortalker.vectorize.population import empty_population
+from vectortalker.vectorize.population import Population, empty_population
 from vectortalker.vectorize.resize import resize
-from vectortalker.vectorize.schedule import LevelPlan, plan
+from vectortalker.vectorize.schedule import RECIPES, LevelPlan, plan
+from vectortalker.vectorize.seeding import seed
 from vectortalker.vectorize.starts import circle
 
 SIDE = 96
@@ -82,6 +84,32 @@ def test_each_layer_claims_its_own_pixels(images: LayerImages, picture: np.ndarr
     assert local.claim[50, 38] > 0.9 and local.owner[50, 38] == FIRST_LOCAL
     assert local.owner[50, 48] == FIRST_LOCAL + 2
     assert back.owner[2, 2] == BACK and fore.owner[70, 48] == FORE
+
+
+def test_at_a_soft_silhouette_back_and_fore_together_are_fitted_to_the_picture(picture: np.ndarray) -> None:
+    y, x = np.mgrid[:SIDE, :SIDE] + 0.5
+    soft = np.clip((38 - np.hypot(x - 48, y - 54)) / 16, 0, 1).astype(np.float32)
+    level = layered_level(layer_images(picture, soft, None, (), ()), picture, (), CANVAS)
+    back_and_fore = level.sheets[1]
+    np.testing.assert_allclose(back_and_fore.target, picture, atol=1e-6)
+    assert (back_and_fore.weight[(soft > 0) & (soft < 1)] > 0).all()
+
+
+@pytest.mark.parametrize(("group", "expects_local"), [(FORE, True), (FIRST_LOCAL, False)])
+def test_no_more_paths_start_in_openings_once_many_are_there(
+    images: LayerImages, picture: np.ndarray, group: int, expects_local: bool
+) -> None:
+    level = layered_level(images, picture, (), CANVAS)
+    generator = np.random.default_rng(0)
+
+    def grown(population: Population, count: int) -> Population:
+        return seed(population, level, count, 6.0, RECIPES["best"], True, Fidelity(), generator)
+
+    population = grown(empty_population(8), 20)
+    population.group[:] = group
+    assert (
+        (grown(population, 20).group >= FIRST_LOCAL).sum() > len(population) * (group >= FIRST_LOCAL)
+    ) == expects_local
 
 
 def test_teeth_of_an_open_mouth_belong_to_skull_and_jaw(picture: np.ndarray) -> None:

@@ -133,14 +133,16 @@ def layered_level(
     scenery = 1 - mask
     back = _blend(resize(images.layers.back, frame), smoothed, scenery)
     lid, lid_weight = _lids(clips)
-    fore = _blend(resize(images.layers.fore, frame), smoothed, mask * (1 - lid))
+    completed = resize(images.layers.fore, frame)
+    fore = _blend(completed, smoothed, mask * (1 - lid))
+    behind_local = _blend(completed, smoothed, 1 - lid)  # back and fore together: the picture, whose the pixel may be
     back_weight = scenery + HIDDEN_WEIGHT * mask
     fore_weight = mask * emphasis * lid_weight
     merged_weight = emphasis * np.where(opening > 0, SEEN_AGAIN * opening**2, 1)
     groups = np.zeros(mask.shape, np.int64)
     sheets = (
         _sheet(FORE, back, back_weight, back_weight, groups + BACK),
-        _sheet(LID, fore, fore_weight, fore_weight, groups + FORE),
+        _sheet(LID, behind_local, fore_weight, fore_weight, groups + FORE),
         _sheet(FIRST_IRIS, resize(images.ball, frame), HIDDEN_WEIGHT * discs * opening, 0 * mask, groups + FIRST_LOCAL),
         _sheet(TOP, smoothed, merged_weight, opening * emphasis, _nearest(images.parts, frame), *_local_quota(opening)),
     )

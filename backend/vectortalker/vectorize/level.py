@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -94,6 +94,11 @@ class Level:
     def frame(self) -> tuple[int, int]:
         """Width and height in px."""
         return self.picture.shape[1], self.picture.shape[0]
+
+    def without_local_places(self) -> Level:
+        """The same, but no new path is to start within the openings."""
+        *others, merged = self.sheets
+        return replace(self, sheets=(*others, replace(merged, claim=np.zeros_like(merged.claim), quota=0.0)))
 
 
 def single_sheet_level(picture: NDArray[np.float32], group: int, canvas: NDArray[np.float32]) -> Level:

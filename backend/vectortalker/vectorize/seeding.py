@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from vectortalker.vectorize.level import Level
+from vectortalker.vectorize.level import FIRST_LOCAL, Level
 from vectortalker.vectorize.losses import Fidelity, pictures_below
 from vectortalker.vectorize.peaks import coherent_energy, error_samples, greedy_maxima
 from vectortalker.vectorize.population import Population, insert
@@ -14,6 +14,7 @@ from vectortalker.vectorize.starts import Start, circle_start, contour_start
 
 CROWDING = 0.5  # radius shrinks by it when a level has fewer peaks than new paths
 ROUNDS = 4
+MOST_LOCAL = 0.15  # share of all paths: large drawn eyes would take a third, and the rest of the portrait pay for it
 
 
 def seed(
@@ -26,7 +27,12 @@ def seed(
     fidelity: Fidelity,
     generator: np.random.Generator,
 ) -> Population:
-    """`count` more paths, each on top of the layer that it belongs to; fewer only where no error at all is left."""
+    """`count` more paths, each on top of the layer that it belongs to; fewer only where no error at all is left.
+
+    None of them starts within the openings while `MOST_LOCAL` of all are there.
+    """
+    if len(population) - population.below(FIRST_LOCAL) > MOST_LOCAL * len(population):
+        level = level.without_local_places()
     pictures = pictures_below(population, level, [sheet.below for sheet in level.sheets], fidelity)
     residuals = [sheet.target - picture for sheet, picture in zip(level.sheets, pictures, strict=True)]
     claimed = [sheet.claim > 0 for sheet in level.sheets]
