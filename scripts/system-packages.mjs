@@ -6,6 +6,7 @@ import { output, run } from './run.mjs';
 export const OPTIONAL = [
   { command: 'chromium', package: 'chromium', needed: 'browser tests' },
   { command: 'espeak-ng', package: 'espeak-ng', needed: 'transcripts of speech and their tests' },
+  { command: 'potrace', package: 'potrace', needed: 'a tracer that the benchmark compares with, and its test' },
   { command: 'redis-server', package: 'redis-server', needed: 'a queue that several machines share and its tests' },
 ];
 
