@@ -47,3 +47,42 @@ export function hasCorner(triangle: string, { x, y }: Point): boolean {
   const numbers = (triangle.match(/-?[\d.]+/g) ?? []).map(Number);
   return [0, 2, 4].some((k) => Math.hypot(numbers[k] - x, numbers[k + 1] - y) < 1);
 }
+
+/** How many control points moved, and those among them that stood outside a region (path data, pixels of the stage) at rest. */
+export async function movedPoints(page: Page, rest: readonly string[], posed: readonly string[], region: string) {
+  const moves = rest.flatMap((d, index) => {
+    const [from, to] = [controlPoints(d), controlPoints(posed[index])];
+    if (from.length !== to.length) throw new Error(`path ${index} has ${to.length} points, had ${from.length} at rest`);
+    return from.filter(({ x, y }, at) => Math.hypot(to[at].x - x, to[at].y - y) > ROUNDING);
+  });
+  const outside = await page.evaluate(
+    ([points, outline]) => {
+      const view = document.querySelector<SVGGElement>('#local')?.getScreenCTM();
+      const box = document.querySelector('.stage')?.getBoundingClientRect();
+      const context = new OffscreenCanvas(1, 1).getContext('2d');
+      if (!view || !box || !context) throw new Error('no picture on the page');
+      const area = new Path2D(outline);
+      return points.filter(({ x, y }) => {
+        const { x: left, y: top } = new DOMPoint(x, y).matrixTransform(view);
+        const place = [left - box.left, top - box.top] as const;
+        return !context.isPointInPath(area, ...place) && !context.isPointInStroke(area, ...place);
+      });
+    },
+    [moves, region] as const,
+  );
+  return { count: moves.length, outside };
+}
+
+const ROUNDING = 1e-3; // portrait pixels, the sum of a path's relative steps in floating point
+
+/** Control points of path data as the rig writes it: `M`, relative cubics after one `c`, `z`. */
+function controlPoints(d: string): Point[] {
+  if (!/^M[^a-z]*c[^a-z]*z$/i.test(d)) throw new Error(`path data of another form: ${d.slice(0, 80)}`);
+  const numbers = (d.match(/-?(\d+\.?\d*|\.\d+)/g) ?? []).map(Number);
+  const points: Point[] = [{ x: numbers[0], y: numbers[1] }];
+  for (let at = 2; at < numbers.length; at += 6) {
+    const { x, y } = points[points.length - 1];
+    for (const k of [at, at + 2, at + 4]) points.push({ x: x + numbers[k], y: y + numbers[k + 1] });
+  }
+  return points;
+}
