@@ -107,10 +107,11 @@ pub const AVERAGE_DEPTH: [f64; N_LANDMARKS] = [
     0.02, 0.12, 0.15, 0.12, 0.02, 0.12, 0.14, 0.12, // inner lips
 ];
 
-/// Given depths shifted so that the eyes lie where the average face has them; detectors choose their own origin.
+/// Given depths shifted so that the eyes lie where the average face has them (detectors choose their own origin); the
+/// average face's when none are given.
 #[must_use]
 pub fn aligned_depth(depth: Option<&[f64; N_LANDMARKS]>) -> [f64; N_LANDMARKS] {
-    let Some(depth) = depth.filter(|depth| depth.iter().all(|z| z.is_finite())) else {
+    let Some(depth) = depth else {
         return AVERAGE_DEPTH;
     };
     let eyes = [36, 39, 42, 45];

@@ -82,14 +82,14 @@ pub fn socket(opening: Opening, p: Point, rest: &[Point]) -> Vec<Influence> {
 }
 
 /// The similarity that takes two vertices where they go.
-fn similarity(p: Point, rest: &[Point], [c0, c1]: [usize; 2]) -> Vec<Influence> {
-    let w = (p - rest[c0]).complex_div(rest[c1] - rest[c0]);
-    vec![Influence { vertex: c0, weight: Point::new(1.0, 0.0) - w }, Influence { vertex: c1, weight: w }]
+fn similarity(p: Point, rest: &[Point], corners: [usize; 2]) -> Vec<Influence> {
+    carried(p, rest, corners[0], corners)
 }
 
-/// Goes where `centre` goes, turned and scaled as the similarity of `corners` is.
+/// Goes where `centre` goes, turned and scaled as the similarity of the two corners is; two that coincide turn nothing.
 fn carried(p: Point, rest: &[Point], centre: usize, [c0, c1]: [usize; 2]) -> Vec<Influence> {
-    let w = (p - rest[centre]).complex_div(rest[c1] - rest[c0]);
+    let across = rest[c1] - rest[c0];
+    let w = if across == Point::ZERO { Point::ZERO } else { (p - rest[centre]).complex_div(across) };
     vec![Influence::real(centre, 1.0), Influence { vertex: c0, weight: -w }, Influence { vertex: c1, weight: w }]
 }
 

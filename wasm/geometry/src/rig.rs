@@ -19,6 +19,21 @@ pub struct RestFace {
     pub depth: Option<[f64; N_LANDMARKS]>,
 }
 
+impl RestFace {
+    /// # Errors
+    /// `RigError::Landmarks` when an iris or a depth is not finite; `Face::measure` asks the landmarks themselves.
+    fn check(&self) -> Result<(), RigError> {
+        let in_sight = |iris: &Iris| iris.centre.is_finite() && iris.radius.is_finite();
+        if !self.irises.iter().flatten().all(in_sight) {
+            return Err(RigError::Landmarks("an iris is not a finite disc".into()));
+        }
+        match self.depth.iter().flatten().position(|z| !z.is_finite()) {
+            Some(index) => Err(RigError::Landmarks(format!("the depth of landmark {index} is not a finite number"))),
+            None => Ok(()),
+        }
+    }
+}
+
 /// A rigged scene. Its topology (triangles, split points, bindings) never changes.
 #[derive(Clone, Debug)]
 pub struct Rig {
@@ -35,6 +50,7 @@ impl Rig {
     /// `RigError::Landmarks` for a face without extent, `RigError::Scene` for arrays that do not fit together.
     pub fn build(scene: &SceneGeometry, rest: &RestFace, options: Options) -> Result<Self, RigError> {
         scene.check()?;
+        rest.check()?;
         let face = Face::measure(&rest.landmarks)?;
         let landmarks = snap_closed(&rest.landmarks);
         let closed: Vec<Opening> = Opening::ALL.into_iter().filter(|opening| opening.is_closed(&landmarks)).collect();

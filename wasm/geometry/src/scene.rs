@@ -48,6 +48,9 @@ impl SceneGeometry<'_> {
             let given = self.points.len();
             return Err(RigError::Scene(format!("{given} control points given, the segments need {wanted}")));
         }
+        if let Some(path) = self.segments.iter().position(|&n| n == 0) {
+            return Err(RigError::Scene(format!("path {path} has no segments; a path needs one at least")));
+        }
         if self.layers.len() != self.segments.len() {
             let (segments, layers) = (self.segments.len(), self.layers.len());
             return Err(RigError::Scene(format!("{segments} paths have segments, {layers} have a layer")));
