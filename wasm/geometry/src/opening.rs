@@ -109,21 +109,17 @@ impl Opening {
     #[must_use]
     pub fn nearest_on_upper_edge(self, p: Point, landmarks: &[Point]) -> (Point, Vec<(usize, f64)>) {
         let outline = self.outline(landmarks);
-        let places =
-            (0..self.upper().len() - 1).flat_map(|j| (0..=STEPS).map(move |k| (j, f64::from(k) / f64::from(STEPS))));
-        let (mut foot, mut place) = (Point::ZERO, (0, 0.0));
-        for (j, t) in places {
-            let q = eval(&segment(&outline, j), t);
-            if place == (0, 0.0) || q.distance(p) < foot.distance(p) {
-                (foot, place) = (q, (j, t));
-            }
-        }
+        let on_edge = |outline: &[Point], (j, t): (usize, f64)| eval(&segment(outline, j), t);
+        let distance = |place| on_edge(&outline, place).distance(p);
+        let place = (0..self.upper().len() - 1)
+            .flat_map(|j| (0..=STEPS).map(move |k| (j, f64::from(k) / f64::from(STEPS))))
+            .fold((0, 0.0), |nearest, place| if distance(place) < distance(nearest) { place } else { nearest });
         let share = |landmark: usize| {
             let mut unit = [Point::ZERO; N_LANDMARKS];
             unit[landmark].x = 1.0;
-            eval(&segment(&self.outline(&unit), place.0), place.1).x
+            on_edge(&self.outline(&unit), place).x
         };
-        (foot, self.ring().into_iter().map(|landmark| (landmark, share(landmark))).collect())
+        (on_edge(&outline, place), self.ring().into_iter().map(|landmark| (landmark, share(landmark))).collect())
     }
 }
 
@@ -185,6 +181,7 @@ fn sharp_tangents(anchors: &[Point], corner: usize) -> Vec<(Point, Point)> {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used, reason = "a contour without ends fails the test")]
     use super::*;
     use crate::cubic::signed_area;
 
@@ -212,6 +209,18 @@ mod tests {
                 face[lower] = face[upper];
             }
             assert!(signed_area(&opening.outline(&face)).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_corner_is_the_nearest_point_of_the_upper_edge_to_itself() {
+        let face = round_face();
+        for (opening, corner) in
+            Opening::ALL.into_iter().flat_map(|o| [(o, o.upper()[0]), (o, *o.upper().last().unwrap())])
+        {
+            let (foot, shares) = opening.nearest_on_upper_edge(face[corner], &face);
+            assert_eq!(foot, face[corner]);
+            assert_eq!(shares.iter().filter(|(_, share)| *share != 0.0).collect::<Vec<_>>(), [&(corner, 1.0)]);
         }
     }
 
