@@ -13,6 +13,7 @@ pub mod mesh;
 pub mod opening;
 pub mod path_string;
 pub mod point;
+pub mod polygon;
 pub mod pose;
 pub mod rig;
 pub mod scene;

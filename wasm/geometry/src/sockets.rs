@@ -6,13 +6,11 @@
 //! upper lid and comes out from under the eyeball on the way.
 
 use crate::binding::Influence;
-use crate::cubic::{eval, segment};
 use crate::local::{Part, socket};
 use crate::opening::Opening;
 use crate::point::Point;
+use crate::polygon::{area, contains, polygon};
 
-/// Chords by which a cubic is replaced.
-const CHORDS: u32 = 8;
 /// Share of the way from the upper to the lower edge in which lash lines lie.
 const LASH_STRIP: f64 = 0.2;
 /// Share of the upper lid's way that a lash line falls behind: that much of the eye's height is out from under the
@@ -29,33 +27,40 @@ pub enum Cover {
     Lash(Part),
 }
 
-/// Both eyes at rest: their part, the polygon of the opening, and that of the strip along its upper edge.
+/// One eye at rest: polygons of its opening, and of the strip along the upper edge of it.
 #[derive(Clone, Debug)]
-pub struct Sockets([(Part, Vec<Point>, Vec<Point>); 2]);
+struct Socket {
+    eye: Part,
+    opening: Vec<Point>,
+    strip: Vec<Point>,
+}
+
+/// Both eyes at rest.
+#[derive(Clone, Debug)]
+pub struct Sockets([Socket; 2]);
 
 impl Sockets {
     #[must_use]
     pub fn of(rest: &[Point]) -> Self {
         Self(Part::EYES.map(|eye| {
             let opening = polygon(&eye.opening().outline(rest));
-            (eye, opening.clone(), upper_strip(&opening))
+            Socket { eye, strip: upper_strip(&opening), opening }
         }))
     }
 
     /// What a fore path, a closed chain of cubics, covers.
     #[must_use]
     pub fn cover(&self, chain: &[Point]) -> Option<Cover> {
-        let (eye, opening, strip) = self.0.iter().find(|(_, opening, _)| inside(chain[0], opening))?;
         let path = polygon(chain);
-        let within = |region: &[Point]| path.iter().all(|&p| inside(p, region));
-        within(opening).then(|| if within(strip) { Cover::Lash(*eye) } else { Cover::Lid(*eye) })
+        let within = |region: &[Point]| path.iter().all(|&p| contains(region, p));
+        let Socket { eye, strip, .. } = self.0.iter().find(|socket| within(&socket.opening))?;
+        Some(if within(strip) { Cover::Lash(*eye) } else { Cover::Lid(*eye) })
     }
 
     /// Whether a lid fills its eye, so that nothing else need move to close it.
     #[must_use]
     pub fn is_filled(&self, eye: Part, lid: &[Point]) -> bool {
-        let open = self.0.iter().find(|(part, ..)| *part == eye).map_or(0.0, |(_, opening, _)| double_area(opening));
-        double_area(&polygon(lid)) > FILLED * open
+        self.0.iter().any(|socket| socket.eye == eye && area(&polygon(lid)) > FILLED * area(&socket.opening))
     }
 }
 
@@ -86,26 +91,6 @@ fn upper_strip(opening: &[Point]) -> Vec<Point> {
     let upper = &opening[..=n / 2];
     let inner = (0..=n / 2).map(|i| upper[i].lerp(opening[(n - i) % n], LASH_STRIP));
     upper.iter().copied().chain(inner.rev()).collect()
-}
-
-/// Points along a closed chain of cubics.
-fn polygon(outline: &[Point]) -> Vec<Point> {
-    let steps = (0..outline.len() / 3).flat_map(|j| (0..CHORDS).map(move |k| (j, f64::from(k) / f64::from(CHORDS))));
-    steps.map(|(j, t)| eval(&segment(outline, j), t)).collect()
-}
-
-/// Twice the area within a polygon.
-fn double_area(polygon: &[Point]) -> f64 {
-    let sides = polygon.iter().zip(polygon.iter().cycle().skip(1));
-    sides.map(|(a, b)| a.cross(*b)).sum::<f64>().abs()
-}
-
-/// Whether a ray from `p` to the right crosses the polygon an odd number of times.
-fn inside(p: Point, polygon: &[Point]) -> bool {
-    let sides = polygon.iter().zip(polygon.iter().cycle().skip(1));
-    let crossed =
-        |(a, b): &(&Point, &Point)| (a.y > p.y) != (b.y > p.y) && p.x < a.lerp(**b, (p.y - a.y) / (b.y - a.y)).x;
-    sides.filter(crossed).count() % 2 == 1
 }
 
 #[cfg(test)]

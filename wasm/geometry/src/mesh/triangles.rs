@@ -8,6 +8,7 @@ use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 use crate::error::RigError;
 use crate::opening::Opening;
 use crate::point::Point;
+use crate::polygon::contains;
 
 /// Vertex indices, counter-clockwise in mathematical orientation (positive cross product).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -128,17 +129,8 @@ fn slit_side(vertex: usize, centroid: Point, closed: &[Opening], rest: &[Point])
 
 /// The open opening whose landmark polygon contains `p` (even-odd rule).
 fn opening_around(p: Point, closed: &[Opening], rest: &[Point]) -> Option<Opening> {
-    Opening::ALL.into_iter().filter(|opening| !closed.contains(opening)).find(|opening| {
-        let ring = opening.ring();
-        let mut inside = false;
-        for (i, &vertex) in ring.iter().enumerate() {
-            let (a, b) = (rest[vertex], rest[ring[(i + 1) % ring.len()]]);
-            if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) {
-                inside = !inside;
-            }
-        }
-        inside
-    })
+    let polygon = |opening: &Opening| opening.ring().into_iter().map(|vertex| rest[vertex]).collect::<Vec<_>>();
+    Opening::ALL.into_iter().filter(|opening| !closed.contains(opening)).find(|opening| contains(&polygon(opening), p))
 }
 
 /// Edges of all triangles; two edges that coincide at rest (the sides of a slit) count once, as the one of lower indices.
