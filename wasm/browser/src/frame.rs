@@ -62,76 +62,30 @@ fn numbers(indices: &[usize]) -> Vec<u32> {
     indices.iter().map(|&index| index as u32).collect()
 }
 
-/// The changed paths of a frame as points: `starts[k]..starts[k + 1]` are those of path `changed[k]`.
-#[wasm_bindgen]
+/// The changed paths of a frame as points: `starts[k]..starts[k + 1]` are those of path `changed[k]`; `axes` are their
+/// gradient ends, four numbers each.
+#[wasm_bindgen(getter_with_clone)]
 pub struct FramePoints {
-    changed: Vec<u32>,
-    starts: Vec<u32>,
-    points: Vec<f64>,
-    axes: Vec<f64>,
+    #[wasm_bindgen(readonly)]
+    pub changed: Vec<u32>,
+    #[wasm_bindgen(readonly)]
+    pub starts: Vec<u32>,
+    #[wasm_bindgen(readonly)]
+    pub points: Vec<f64>,
+    #[wasm_bindgen(readonly)]
+    pub axes: Vec<f64>,
 }
 
-#[wasm_bindgen]
-impl FramePoints {
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn changed(&self) -> Vec<u32> {
-        self.changed.clone()
-    }
-
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn starts(&self) -> Vec<u32> {
-        self.starts.clone()
-    }
-
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn points(&self) -> Vec<f64> {
-        self.points.clone()
-    }
-
-    /// Gradient ends of the changed paths, four numbers each.
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn axes(&self) -> Vec<f64> {
-        self.axes.clone()
-    }
-}
-
-/// The changed paths of a frame as SVG path data: those of path `changed[k]` end before character `ends[k]` of `text`.
-#[wasm_bindgen]
+/// The changed paths of a frame as SVG path data: those of path `changed[k]` end before character `ends[k]` of `text`;
+/// `axes` are their gradient ends, four numbers each.
+#[wasm_bindgen(getter_with_clone)]
 pub struct FrameData {
-    changed: Vec<u32>,
-    text: String,
-    ends: Vec<u32>,
-    axes: Vec<f64>,
-}
-
-#[wasm_bindgen]
-impl FrameData {
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn changed(&self) -> Vec<u32> {
-        self.changed.clone()
-    }
-
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn text(&self) -> String {
-        self.text.clone()
-    }
-
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn ends(&self) -> Vec<u32> {
-        self.ends.clone()
-    }
-
-    /// Gradient ends of the changed paths, four numbers each.
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn axes(&self) -> Vec<f64> {
-        self.axes.clone()
-    }
+    #[wasm_bindgen(readonly)]
+    pub changed: Vec<u32>,
+    #[wasm_bindgen(readonly)]
+    pub text: String,
+    #[wasm_bindgen(readonly)]
+    pub ends: Vec<u32>,
+    #[wasm_bindgen(readonly)]
+    pub axes: Vec<f64>,
 }

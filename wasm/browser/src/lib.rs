@@ -80,8 +80,8 @@ impl BrowserRig {
         let scene = SceneGeometry { width, height, points: &points, segments: &segments, layers: &layers };
         let rest = RestFace {
             landmarks: landmark_points(landmarks)?,
-            irises: iris_pair(irises),
-            depth: depth.try_into().ok(),
+            irises: given::<6>("iris numbers", irises)?.map(iris_pair),
+            depth: given("depths", depth)?,
         };
         let rig = Rig::build(&scene, &rest, Options { split, smooth }).map_err(raise)?;
         Ok(Self { rig })
@@ -139,35 +139,16 @@ impl BrowserRig {
     }
 }
 
-/// Vertices of a pose and how far it was held back.
-#[wasm_bindgen]
+/// Vertices of a pose, the kept share of its motion (1 when nothing limits it), and the triangles that would turn over
+/// first.
+#[wasm_bindgen(getter_with_clone)]
 pub struct PosedVertices {
-    positions: Vec<f64>,
-    scale: f64,
-    triangles: Vec<u32>,
-}
-
-#[wasm_bindgen]
-impl PosedVertices {
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn positions(&self) -> Vec<f64> {
-        self.positions.clone()
-    }
-
-    /// Kept share of the motion, 1 when nothing limits it.
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn scale(&self) -> f64 {
-        self.scale
-    }
-
-    /// Triangles that would turn over first.
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn triangles(&self) -> Vec<u32> {
-        self.triangles.clone()
-    }
+    #[wasm_bindgen(readonly)]
+    pub positions: Vec<f64>,
+    #[wasm_bindgen(readonly)]
+    pub scale: f64,
+    #[wasm_bindgen(readonly)]
+    pub triangles: Vec<u32>,
 }
 
 fn raise(error: RigError) -> JsError {
@@ -175,13 +156,20 @@ fn raise(error: RigError) -> JsError {
 }
 
 fn landmark_points(flat: &[f64]) -> Result<[Point; N_LANDMARKS], JsError> {
-    from_flat(flat)
-        .try_into()
-        .map_err(|points: Vec<Point>| JsError::new(&format!("{} landmarks given, {N_LANDMARKS} wanted", points.len())))
+    from_flat(flat).try_into().map_err(|points: Vec<Point>| {
+        JsError::new(&format!("bad_landmarks: {} landmarks given, {N_LANDMARKS} wanted", points.len()))
+    })
 }
 
-fn iris_pair(flat: &[f64]) -> Option<[Iris; 2]> {
-    let numbers: [f64; 6] = flat.try_into().ok()?;
-    let [x0, y0, r0, x1, y1, r1] = numbers;
-    Some([Iris { centre: Point::new(x0, y0), radius: r0 }, Iris { centre: Point::new(x1, y1), radius: r1 }])
+/// The `N` numbers of an optional list; an empty one is none.
+fn given<const N: usize>(what: &str, numbers: &[f64]) -> Result<Option<[f64; N]>, JsError> {
+    if numbers.is_empty() {
+        return Ok(None);
+    }
+    let misfit = |_| JsError::new(&format!("bad_landmarks: {} {what} given, {N} or none wanted", numbers.len()));
+    numbers.try_into().map(Some).map_err(misfit)
+}
+
+fn iris_pair([x0, y0, r0, x1, y1, r1]: [f64; 6]) -> [Iris; 2] {
+    [Iris { centre: Point::new(x0, y0), radius: r0 }, Iris { centre: Point::new(x1, y1), radius: r1 }]
 }
