@@ -1,7 +1,7 @@
 /** States that are no success and no crash: no face, a file that is no picture, a server that is gone. */
-import { deflateSync } from 'node:zlib';
 import { expect, test } from '@playwright/test';
 import { chooseFile, landmark, openEditor, tracingDone } from './editor';
+import { gradientPng } from './plainPicture';
 
 test('without a face, five pins make one', async ({ page }) => {
   await openEditor(page);
@@ -47,39 +47,3 @@ test('a portrait is deleted here and on the server, after a question', async ({ 
   await page.reload();
   await expect(page.getByRole('button', { name: 'Choose a file' })).toBeVisible();
 });
-
-/** A square RGB picture of a smooth gradient, without a face. */
-function gradientPng(side: number): Buffer {
-  const rows = Array.from({ length: side }, (_, y) => [
-    0,
-    ...Array.from({ length: side }, (_, x) => [x, y, 128].map((value) => Math.round((value * 255) / side) & 255)).flat(),
-  ]);
-  const header = Buffer.alloc(13);
-  header.writeUInt32BE(side, 0);
-  header.writeUInt32BE(side, 4);
-  header.set([8, 2, 0, 0, 0], 8); // 8 bits, RGB
-  return Buffer.concat([
-    Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'),
-    chunk('IHDR', header),
-    chunk('IDAT', deflateSync(Buffer.from(rows.flat()))),
-    chunk('IEND', Buffer.alloc(0)),
-  ]);
-}
-
-function chunk(type: string, data: Buffer): Buffer {
-  const body = Buffer.concat([Buffer.from(type, 'latin1'), data]);
-  const sizes = Buffer.alloc(8);
-  sizes.writeUInt32BE(data.length, 0);
-  sizes.writeUInt32BE(crc32(body), 4);
-  return Buffer.concat([sizes.subarray(0, 4), body, sizes.subarray(4)]);
-}
-
-/** CRC-32 of PNG chunks (ISO 3309), bit by bit. */
-function crc32(bytes: Buffer): number {
-  let crc = 0xffffffff;
-  for (const byte of bytes) {
-    crc ^= byte;
-    for (let bit = 0; bit < 8; bit += 1) crc = (crc >>> 1) ^ (crc & 1 ? 0xedb88320 : 0);
-  }
-  return (crc ^ 0xffffffff) >>> 0;
-}

@@ -4,7 +4,7 @@ import { resumeHearing } from '../speech/listening';
 import { choices, hearing, textToSpeak } from '../speech/state';
 import { tell } from '../store/notices';
 import { resumeOpening } from '../store/opening';
-import { clips, draft, history, job, portrait, scene, session, tracedLandmarks } from '../store/state';
+import { clips, draft, history, job, portrait, replaced, scene, session, tracedLandmarks } from '../store/state';
 import { resumeTracing } from '../store/tracing';
 import { type Work, WorkStore } from './workStore';
 
@@ -55,6 +55,7 @@ function snapshot(): Work | null {
     job: jobPart({ state: job.value, landmarks: tracedLandmarks.value }),
     clips: clips.value,
     speech: speechPart({ hearing: hearing.value, choices: choices.value, text: textToSpeak.value }),
+    replaced: replaced.value,
   };
 }
 
@@ -78,6 +79,7 @@ function show(work: Work): void {
   clips.value = work.clips;
   draft.value = null;
   session.value = work.session;
+  replaced.value = work.replaced;
   tracedLandmarks.value = work.job.landmarks;
   if (work.speech) {
     choices.value = work.speech.choices;

@@ -5,8 +5,10 @@ import { audioOf } from '../speech/speechTrack';
 import { type Edit, editOf, LAYER_NAMES, type LayerLook, type LayerName } from '../store/edit';
 import { historyOf } from '../store/history';
 import { announce, FileError } from '../store/notices';
-import { clearStage } from '../store/opening';
-import { clips, history, portrait, scene, session, tracedLandmarks } from '../store/state';
+import { tellReplaced } from '../store/opening';
+import { putAside } from '../store/replacing';
+import { clearStage, putOnStage } from '../store/stage';
+import { history, portrait, scene, session } from '../store/state';
 import { withKeysBaked, withKeysLifted } from '../timeline/bakedKeys';
 import { pause } from '../timeline/playback';
 import { pack, unpack } from './vtalk';
@@ -22,16 +24,21 @@ export async function saveProject(): Promise<void> {
 
 export async function openProjectFile(file: File): Promise<void> {
   const { project, source, sounds } = await unpack(new Uint8Array(await file.arrayBuffer()), file.name);
-  clearStage();
-  pause();
   const { width, height } = project.scene;
   const picture = source ? new Blob([source as Uint8Array<ArrayBuffer>]) : null;
-  portrait.value = { id: null, name: project.source ?? file.name, width, height, picture, notices: [] };
-  scene.value = project.scene;
-  tracedLandmarks.value = project.landmarks;
-  clips.value = Array.from(sounds, ([name, data]) => ({ id: null, name, data: new Blob([data as Uint8Array<ArrayBuffer>]) }));
-  history.value = historyOf(editFrom(project));
-  session.value = { kind: 'editing' };
+  const isInSight = session.value.kind !== 'welcome';
+  pause();
+  const aside = putAside();
+  clearStage();
+  putOnStage({
+    session: { kind: 'editing' },
+    portrait: { id: null, name: project.source ?? file.name, width, height, picture, notices: [] },
+    scene: project.scene,
+    history: historyOf(editFrom(project)),
+    job: { state: null, landmarks: project.landmarks },
+    clips: Array.from(sounds, ([name, data]) => ({ id: null, name, data: new Blob([data as Uint8Array<ArrayBuffer>]) })),
+  });
+  if (aside && isInSight) tellReplaced(aside);
 }
 
 /** The open work as a project document. */

@@ -4,30 +4,23 @@
  * the page is being left still ends.
  */
 import { type DBSchema, type IDBPDatabase, type IDBPTransaction, openDB } from 'idb';
-import type { JobState, Landmarks, Scene } from '../api/schema';
 import type { Choices } from '../speech/speechTrack';
 import type { Hearing } from '../speech/state';
-import type { Edit } from '../store/edit';
-import type { History } from '../store/history';
-import type { Clip, PortraitPicture, Session } from '../store/state';
+import type { PortraitWork, Replaced, Session } from '../store/state';
 
-export type Work = {
+/** `portrait` is null while the first picture is on its way to the server. */
+export type Work = Omit<PortraitWork, 'session'> & {
   readonly session: Session;
-  /** Null while the picture is on its way to the server. */
-  readonly portrait: PortraitPicture | null;
-  readonly scene: Scene | null;
-  readonly history: History<Edit>;
-  readonly job: { readonly state: JobState | null; readonly landmarks: Landmarks | null };
-  readonly clips: readonly Clip[];
   /** What is under way and typed in the speech panel. */
   readonly speech: { readonly hearing: Hearing | null; readonly choices: Choices; readonly text: string } | null;
+  readonly replaced: Replaced;
 };
 type Part = keyof Work;
-const PARTS: readonly Part[] = ['session', 'portrait', 'scene', 'history', 'job', 'clips', 'speech'];
+const PARTS: readonly Part[] = ['session', 'portrait', 'scene', 'history', 'job', 'clips', 'speech', 'replaced'];
 
 /** Older stores numbered their records and have fewer parts. */
 type Key = string | number;
-type LaterPart = 'session' | 'clips' | 'speech';
+type LaterPart = 'session' | 'clips' | 'speech' | 'replaced';
 type Current = Readonly<Record<Exclude<Part, LaterPart>, Key>> & { readonly [part in LaterPart]?: Key };
 
 type Schema = DBSchema & {
@@ -79,6 +72,7 @@ export class WorkStore {
       job: await part(keys.job),
       clips: (await part(keys.clips)) ?? [],
       speech: (await part(keys.speech)) ?? null,
+      replaced: (await part(keys.replaced)) ?? { before: [], after: [] },
     } as Work;
     if (!work.history) return null;
     this.stored = { work, keys };

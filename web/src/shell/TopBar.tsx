@@ -3,11 +3,11 @@ import type { JSX } from 'preact';
 import { ExportMenu } from '../export/ExportMenu';
 import { offerDeletion } from '../project/deletion';
 import { openProjectFile, saveProject } from '../project/files';
-import { redoStep, undoStep } from '../store/editing';
 import { nextTheme } from '../store/looking';
 import { report } from '../store/notices';
 import { leavePortrait, rename } from '../store/opening';
-import { canRedo, canUndo, documentName, scene, session, shortcutsShown, theme } from '../store/state';
+import { documentName, scene, session, shortcutsShown, theme } from '../store/state';
+import { nextRedo, nextUndo, redoStep, type Step, undoStep } from '../store/steps';
 import { Button, IconButton } from './Button';
 import type { IconName } from './icons';
 import { PROJECTS, pickFile } from './pickFile';
@@ -69,10 +69,23 @@ function NameAndSteps(): JSX.Element {
         onChange={(event) => rename(event.currentTarget.value)}
         onKeyDown={(event) => event.key === 'Enter' && event.currentTarget.blur()}
       />
-      <IconButton icon="undo" label="Undo" keys="Ctrl Z" disabled={!canUndo.value} onClick={undoStep} />
-      <IconButton icon="redo" label="Redo" keys="Ctrl Shift Z" disabled={!canRedo.value} onClick={redoStep} />
+      <StepButton icon="undo" label="Undo" keys="Ctrl Z" to={nextUndo.value} onClick={undoStep} />
+      <StepButton icon="redo" label="Redo" keys="Ctrl Shift Z" to={nextRedo.value} onClick={redoStep} />
     </>
   );
+}
+
+type StepButtonProps = {
+  readonly icon: IconName;
+  readonly label: string;
+  readonly keys: string;
+  readonly to: Step;
+  readonly onClick: () => void;
+};
+
+function StepButton({ icon, label, keys, to, onClick }: StepButtonProps): JSX.Element {
+  const meaning = to.kind === 'portrait' ? `${label}: back to “${to.name}”` : label;
+  return <IconButton icon={icon} label={meaning} keys={keys} disabled={to.kind === 'none'} onClick={onClick} />;
 }
 
 function BrandMark(): JSX.Element {

@@ -3,7 +3,7 @@ import { saveProject } from '../project/files';
 import { panning } from '../stage/toolInHand';
 import { actualSize, fitToStage, zoomStep } from '../stage/viewState';
 import { atRest, isAtRest, LAYER_NAMES, withLayer } from '../store/edit';
-import { apply, redoStep, undoStep } from '../store/editing';
+import { apply } from '../store/editing';
 import { growSoftRadius, takeTool, toggle } from '../store/looking';
 import { report } from '../store/notices';
 import {
@@ -22,6 +22,7 @@ import {
   singlePoint,
   track,
 } from '../store/state';
+import { redoStep, undoStep } from '../store/steps';
 import { insertKeyframe } from '../store/tracks';
 import { rewind, seek, stepFrames, togglePlaying } from '../timeline/playback';
 

@@ -3,9 +3,9 @@ import { computed, effect, signal } from '@preact/signals';
 import type { Xy } from '../face/vector';
 import { buildRig, type Rig } from '../rig/rig';
 import { REST_POSE } from '../store/edit';
-import { undoStep } from '../store/editing';
 import { FileError, report } from '../store/notices';
 import { edit, history, scene, timeSeconds, tool, track } from '../store/state';
+import { undoStep } from '../store/steps';
 import { posedBy } from '../timeline/track';
 
 /** Set once the WASM module is there. */

@@ -5,12 +5,14 @@ import type { Target } from './tools/gesture';
 import { fitView, type Size, type View, ZOOM_STEP, zoomAt } from './view';
 
 export const stageSize = signal<Size>({ width: 0, height: 0 });
-const chosenView = signal<View | null>(null);
+/** What was zoomed or panned to, on the picture that it was chosen for. */
+const chosen = signal<{ readonly picture: string; readonly view: View } | null>(null);
+const picture = computed(() => `${portrait.value?.name} ${portrait.value?.width} ${portrait.value?.height}`);
 const WHOLE: View = { centre: [0, 0], scale: 1 };
 
-/** Fitted until somebody zooms or pans. */
+/** Fitted until somebody zooms or pans; another picture is fitted anew. */
 export const view = computed<View>(() => {
-  if (chosenView.value) return chosenView.value;
+  if (chosen.value?.picture === picture.value) return chosen.value.view;
   const size = portrait.value;
   return size && stageSize.value.width > 0 ? fitView(size, stageSize.value) : WHOLE;
 });
@@ -18,11 +20,11 @@ export const view = computed<View>(() => {
 export const hoveredTarget = signal<Target | null>(null);
 
 export function lookAt(next: View): void {
-  chosenView.value = next;
+  chosen.value = { picture: picture.peek(), view: next };
 }
 
 export function fitToStage(): void {
-  chosenView.value = null;
+  chosen.value = null;
 }
 
 /** One step in (1) or out (−1), about the middle of the stage. */

@@ -1,6 +1,6 @@
-/** Actions on the document: drafts while something is dragged, steps when it is let go, undo and redo. */
+/** Actions on the document: drafts while something is dragged, steps when it is let go. */
 import type { Edit } from './edit';
-import { commit, redo, undo } from './history';
+import { commit } from './history';
 import { draft, history } from './state';
 
 /** Shows an unfinished edit; nothing is kept until `settle`. */
@@ -28,14 +28,4 @@ export function apply(change: (edit: Edit) => Edit): void {
 /** Changes the present document without a step: what was asked for earlier has come. */
 export function amend(change: (edit: Edit) => Edit): void {
   history.value = { ...history.value, present: change(history.value.present) };
-}
-
-export function undoStep(): void {
-  draft.value = null;
-  history.value = undo(history.value);
-}
-
-export function redoStep(): void {
-  draft.value = null;
-  history.value = redo(history.value);
 }

@@ -12,6 +12,11 @@ export function commit<T>(history: History<T>, next: T): History<T> {
   return { past: [...history.past, history.present], present: next, future: [] };
 }
 
+/** The same without what was undone. */
+export function forgetUndone<T>(history: History<T>): History<T> {
+  return { ...history, future: [] };
+}
+
 export function undo<T>(history: History<T>): History<T> {
   const previous = history.past.at(-1);
   if (previous === undefined) return history;

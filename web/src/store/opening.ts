@@ -1,21 +1,33 @@
 /** Actions that bring a portrait onto the stage: picture, faces, landmarks, job. */
 import { getFaces, getPortraitImage, postPortrait } from '../api/client';
+import { hasEnded } from '../api/events';
 import type { Face, Landmarks, Portrait } from '../api/schema';
 import { groupNamed, indicesOf, MOUTH_CORNERS, NOSE_TIP } from '../face/ibug';
 import { centroid } from '../face/vector';
-import { cancelListening } from '../speech/listening';
 import { editOf, withLandmarks } from './edit';
 import { apply } from './editing';
 import { historyOf } from './history';
 import { announce, dismiss, report, tell } from './notices';
-import { clips, draft, edit, history, type Pins, playing, portrait, scene, session, timeSeconds, tool, tracedLandmarks } from './state';
-import { leaveJob, startTracing } from './tracing';
-
-let opening = new AbortController();
+import { bringBack, bringNearest, putAside } from './replacing';
+import { clearStage, emptyStage, openingSignal, startOpening } from './stage';
+import {
+  edit,
+  history,
+  type Pins,
+  type PortraitWork,
+  playing,
+  portrait,
+  type Session,
+  scene,
+  session,
+  tool,
+  type Uploading,
+} from './state';
+import { startTracing } from './tracing';
 
 /** From a picture to a running job. A newer picture takes over from one that is still being opened; a refused one leaves all as it was. */
 export async function openPicture(picture: Blob, name: string): Promise<void> {
-  const { signal } = startOpening();
+  const signal = startOpening();
   const before = session.value.kind === 'uploading' ? session.value.before : session.value;
   playing.value = false;
   dismiss();
@@ -27,11 +39,13 @@ export async function openPicture(picture: Blob, name: string): Promise<void> {
     if (before.kind === 'finding') void resumeOpening();
     return null;
   });
-  if (posted) await openPosted(posted, picture, signal);
+  if (posted) await openPosted(posted, picture, before, signal);
 }
 
-async function openPosted(posted: Portrait, picture: Blob, signal: AbortSignal): Promise<void> {
+async function openPosted(posted: Portrait, picture: Blob, before: Session, signal: AbortSignal): Promise<void> {
+  const aside = putAside();
   emptyStage();
+  if (aside && before.kind !== 'welcome') tellReplaced(aside);
   show(posted, picture);
   replaceByNormalised(posted, signal).catch(report);
   try {
@@ -52,7 +66,7 @@ export async function resumeOpening(): Promise<void> {
   if (edit.value.landmarks) return startTracing();
   if (open.id === null) return startPinning(true);
   session.value = { kind: 'finding' };
-  const { signal } = opening;
+  const signal = openingSignal();
   try {
     await findFaces({ ...open, id: open.id }, signal);
   } catch (error) {
@@ -62,14 +76,35 @@ export async function resumeOpening(): Promise<void> {
   }
 }
 
+/** For who saw the portrait go, and may not have meant it. */
+export function tellReplaced({ history: { present } }: PortraitWork): void {
+  tell({
+    kind: 'done',
+    text: `“${present.name}” gave way to this portrait.`,
+    action: { label: 'Bring it back', run: () => goOnWith(bringBack()) },
+  });
+}
+
+/** Goes on with a portrait that has come back to the stage. */
+export function goOnWith(work: PortraitWork | null): void {
+  if (!work) return;
+  announce(`Back to ${work.history.present.name}`);
+  resumeWork(work);
+}
+
+/** Goes on with what was under way on a portrait when it gave way; its tracing was stopped then, and starts anew. */
+function resumeWork({ job: { state } }: PortraitWork): void {
+  if (!state) void resumeOpening();
+  else if (!hasEnded(state)) void startTracing();
+}
+
 /** To the first screen, from where `returnToPortrait` leads back; what is only on its way to the stage is dropped. */
 export function leavePortrait(): void {
   const now = session.value;
   if (now.kind === 'welcome') return;
   if (now.kind === 'finding') return closePortrait();
   if (now.kind === 'uploading') {
-    startOpening();
-    session.value = now.before;
+    stopSending(now);
     return leavePortrait();
   }
   playing.value = false;
@@ -77,14 +112,22 @@ export function leavePortrait(): void {
   session.value = { kind: 'welcome', behind: now };
 }
 
+/** Back to what was there before a picture was sent. */
+export function stopSending({ before }: Uploading): void {
+  startOpening();
+  session.value = before;
+}
+
 export function returnToPortrait(): void {
   if (session.value.kind === 'welcome' && session.value.behind) session.value = session.value.behind;
 }
 
-/** To the first screen, with nothing kept. */
+/** To the first screen, without the portrait on the stage. One that gave way to it waits there in its place. */
 export function closePortrait(): void {
   clearStage();
-  session.value = { kind: 'welcome', behind: null };
+  const nearest = bringNearest();
+  session.value = { kind: 'welcome', behind: nearest?.session ?? null };
+  if (nearest) resumeWork(nearest);
 }
 
 /** One of several faces was picked. */
@@ -120,32 +163,6 @@ export function movePin(index: number, x: number, y: number): void {
 /** Leaves the pins of a portrait that is traced already. */
 export function stopPinning(): void {
   session.value = { kind: 'editing' };
-}
-
-/** Stops what is still being opened. */
-function startOpening(): AbortController {
-  opening.abort();
-  opening = new AbortController();
-  return opening;
-}
-
-/** Takes everything off the stage; what is still being opened or traced is stopped. */
-export function clearStage(): void {
-  startOpening();
-  emptyStage();
-}
-
-function emptyStage(): void {
-  leaveJob();
-  cancelListening();
-  dismiss();
-  draft.value = null;
-  portrait.value = null;
-  scene.value = null;
-  tracedLandmarks.value = null;
-  clips.value = [];
-  playing.value = false;
-  timeSeconds.value = 0;
 }
 
 function show(posted: Portrait, picture: Blob): void {

@@ -31,13 +31,29 @@ export type Clip = {
 /** Behind the first screen may wait what a portrait that was left goes on with. */
 export type Session = { readonly kind: 'welcome'; readonly behind: Workplace | null } | Workplace;
 
-export type Workplace =
-  /** `before` stays until the server has taken the picture: it may refuse it. */
-  | { readonly kind: 'uploading'; readonly name: string; readonly picture: Blob; readonly before: Session }
+/** `before` stays until the server has taken the picture: it may refuse it. */
+export type Uploading = { readonly kind: 'uploading'; readonly name: string; readonly picture: Blob; readonly before: Session };
+
+export type Workplace = Uploading | Opened;
+
+export type Opened =
   | { readonly kind: 'finding' }
   | { readonly kind: 'choosing'; readonly faces: Faces }
   | { readonly kind: 'pinning'; readonly pins: Pins; readonly noFaceFound: boolean }
   | { readonly kind: 'editing' };
+
+/** A portrait with all the work on it. */
+export type PortraitWork = {
+  readonly session: Opened;
+  readonly portrait: PortraitPicture | null;
+  readonly scene: Scene | null;
+  readonly history: History<Edit>;
+  readonly job: { readonly state: JobState | null; readonly landmarks: Landmarks | null };
+  readonly clips: readonly Clip[];
+};
+
+/** Portraits that gave way to another one, in the order they were opened: those before the one on the stage, and those after it. */
+export type Replaced = { readonly before: readonly PortraitWork[]; readonly after: readonly PortraitWork[] };
 
 export type ToolName = 'pose' | 'rest' | 'pan' | 'zoom';
 export type Theme = 'system' | 'light' | 'dark';
@@ -64,6 +80,8 @@ export const clips = signal<readonly Clip[]>([]);
 /** The landmarks that the scene was drawn for; differ from the edit's after a correction. */
 export const tracedLandmarks = signal<Landmarks | null>(null);
 
+export const replaced = signal<Replaced>({ before: [], after: [] });
+
 export const tool = signal<ToolName>('pose');
 /** Falloff of a drag, in outer-eye distances. */
 export const softRadius = signal(0.35);
@@ -88,8 +106,6 @@ export const notice = signal<Notice | null>(null);
 export const announcement = signal('');
 export const theme = signal<Theme>('system');
 
-export const canUndo = computed(() => history.value.past.length > 0);
-export const canRedo = computed(() => history.value.future.length > 0);
 /** Parts of the document, so that a drag redraws only what shows what it changes. */
 export const documentName = computed(() => edit.value.name);
 export const openedTracks = computed(() => edit.value.tracks);
