@@ -66,7 +66,7 @@ def _dark(image: NDArray[np.float32], inside: Mask) -> Mask:
 
 
 def _band(middle: float, radius: float) -> slice:
-    return slice(max(0, round(middle - BAND * radius)), max(0, round(middle + BAND * radius)) + 1)
+    return slice(max(0, round(middle - BAND * radius)), max(0, round(middle + BAND * radius) + 1))
 
 
 def _ends(band: Mask, inside: Mask, middle: float, radius: float, stroke: float) -> tuple[float, float]:
@@ -83,8 +83,10 @@ def _ends(band: Mask, inside: Mask, middle: float, radius: float, stroke: float)
 
 def _reach(dark: Mask, inside: Mask, middle: float, radius: float, stroke: float) -> float:
     """How far beyond `middle` the dark goes on, no less than `radius`."""
-    end = start = max(0, round(middle + radius))
-    while end < len(dark) and dark[end]:
+    end = start = round(middle + radius)
+    while 0 <= end < len(dark) and dark[end]:
         end += 1
-    at_edge = end > start and (end == len(inside) or not inside[end])
+    if end == start:
+        return radius
+    at_edge = end == len(inside) or not inside[end]
     return max(radius, end - middle - (stroke if at_edge else 0.0))

@@ -49,3 +49,10 @@ def test_white_is_what_lies_outside_the_iris() -> None:
     radius = radius_map(seen_iris(picture, OPENING, IrisDisc((48.0, 48.0), 12.0)), white.shape)
     assert not (white & (radius < 0.95)).any()
     assert white[inside & (radius > 1.1)].all()
+
+
+@pytest.mark.parametrize("centre", [(-30.0, 48.0), (48.0, -30.0), (130.0, 48.0), (48.0, 130.0)])
+def test_iris_beyond_the_picture_keeps_its_disc(centre: tuple[float, float]) -> None:
+    picture = np.where(((X < 2) | (Y < 2))[..., None], 0.1, eye(12, 12)).astype(np.float32)
+    seen = seen_iris(picture, np.ones((SIDE, SIDE), np.float32), IrisDisc(centre, 9.0))
+    assert (seen.centre, seen.radii) == (centre, (9.0, 9.0))
