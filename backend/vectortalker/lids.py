@@ -10,7 +10,7 @@ import numpy as np
 import vectortalker_core as core
 from numpy.typing import NDArray
 
-from vectortalker.landmarks.drawn import cheeks, colour_of_most
+from vectortalker.landmarks.islands import cheeks, colour_of_most
 from vectortalker.oklab import to_oklab
 from vectortalker.patch import Patch
 from vectortalker.schema import Landmarks
@@ -33,7 +33,7 @@ Array = NDArray[np.float64]
 def lids(landmarks: Landmarks, rgb: NDArray[np.uint8]) -> list[Patch]:
     """Lid and lash line of each eye on `rgb` u8 [H, W, 3], in painter's order.
 
-    None for shaded skin, and none for an eye that rests shut.
+    None for shaded skin, and none for an eye that rests shut or beyond the picture.
     """
     points = np.array(landmarks.points, np.float64)
     skin = colour_of_most(cheeks(rgb, points), PLAIN, LEAST_PLAIN)
@@ -41,8 +41,8 @@ def lids(landmarks: Landmarks, rgb: NDArray[np.uint8]) -> list[Patch]:
         return []
     patches = []
     for _, outline, closed in core.opening_outlines(points)[:2]:
-        if not closed:
-            opening = _polyline(outline)
+        opening = _polyline(outline)
+        if not closed and len(_rectangle(rgb, opening, 0)):
             patches += [_lid(opening, skin, rgb), Patch(_lash_line(opening), _line_colour(rgb, opening))]
     return patches
 
@@ -59,7 +59,7 @@ def _lid(opening: Array, skin: Array, rgb: NDArray[np.uint8]) -> Patch:
 def _colour_around(rgb: NDArray[np.uint8], opening: Array, skin: Array) -> Array:
     """Median OKLab of skin beside the opening, which may lie in a fringe's shade."""
     margin = NEAR * float(np.ptp(opening[:, 0]))
-    pixels = _rectangle(rgb, opening.min(axis=0) - margin, opening.max(axis=0) + margin)
+    pixels = _rectangle(rgb, opening, margin)
     like = pixels[np.linalg.norm(pixels - skin, axis=1) < LIKE_SKIN]
     return np.median(like, axis=0) if len(like) else skin
 
@@ -79,14 +79,14 @@ def _lash_line(opening: Array) -> Array:
 
 def _line_colour(rgb: NDArray[np.uint8], opening: Array) -> Array:
     """OKLab of what is darkest in the eye's rectangle: lash line, outline or pupil."""
-    lab = _rectangle(rgb, opening.min(axis=0), opening.max(axis=0))
+    lab = _rectangle(rgb, opening, 0)
     return np.median(lab[lab[:, 0] <= np.percentile(lab[:, 0], DARKEST)], axis=0)
 
 
-def _rectangle(rgb: NDArray[np.uint8], low: Array, high: Array) -> Array:
-    """OKLab [n, 3] of the pixels between two corners."""
-    left, top = np.floor(low).astype(int).clip(0)
-    right, bottom = np.ceil(high).astype(int)
+def _rectangle(rgb: NDArray[np.uint8], opening: Array, margin: float) -> Array:
+    """OKLab [n, 3] of the pixels of its rectangle, wider by `margin` px on every side; empty beyond the picture."""
+    left, top = np.floor(opening.min(axis=0) - margin).astype(int).clip(0)
+    right, bottom = np.ceil(opening.max(axis=0) + margin).astype(int).clip(0)
     return to_oklab(rgb[top:bottom, left:right].reshape(-1, 3) / 255)
 
 

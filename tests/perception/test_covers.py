@@ -13,7 +13,7 @@ from vectortalker.landmarks import detect
 from vectortalker.landmarks.wire import to_wire
 from vectortalker.lids import lids
 from vectortalker.oklab import to_srgb
-from vectortalker.rig import build_rig
+from vectortalker.rig import build_rig, fit_pins
 from vectortalker.schema import Landmarks, Pose, Scene, ScenePath, SolidFill
 from vectortalker.vectorize.covers import covers
 
@@ -74,6 +74,15 @@ def test_lids_come_up_softly_from_their_upper_edge(sample: Sample) -> None:
 def test_shaded_skin_closes_by_itself(sample: Sample, name: str) -> None:
     portrait = sample(name)
     assert lids(face_of(portrait), portrait.rgb) == []
+
+
+def test_eyes_beyond_the_picture_get_no_lids() -> None:
+    """A flat face whose brows and eyes are cut off by the upper edge."""
+    face = fit_pins([(150, -30), (250, -30), (200, 40), (165, 85), (235, 85)])
+    assert face is not None
+    flat = np.full((200, 400, 3), (240, 200, 170), np.uint8)
+    assert lids(face, flat) == []
+    assert len(lids(face.model_copy(update={"points": [(x, y + 80) for x, y in face.points]}), flat)) == 4
 
 
 def test_floor_lies_below_what_a_smile_shows(sample: Sample) -> None:

@@ -25,7 +25,7 @@ MAX_ERROR = {
     "render3d-ict-a": 0.02,
     "cartoon-roy": 0.05,
     "painting-vangogh-felt-hat": 0.07,
-    "sketch-marker-boy": 0.13,
+    "sketch-marker-boy": 0.09,
 }
 
 

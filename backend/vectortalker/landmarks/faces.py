@@ -10,7 +10,8 @@ from PIL import Image
 
 from vectortalker.landmarks.detector import find_faces
 from vectortalker.landmarks.doubt import fit_is_doubtful, wobble
-from vectortalker.landmarks.drawn import drawn_eyes, with_eyes
+from vectortalker.landmarks.drawn_eyes import drawn_eyes, with_eyes
+from vectortalker.landmarks.drawn_mouth import MOUTH, drawn_mouth
 from vectortalker.landmarks.ibug import IrisDisc, depth_towards_viewer, ibug_points, iris_discs, outer_eye_distance
 from vectortalker.landmarks.mesh import FaceMesh, fit_mesh, roi_around
 from vectortalker.landmarks.views import View, other_views, plain_view
@@ -23,7 +24,7 @@ CLEAR_SCORE = 0.85  # a plain view this good is not looked at again
 MIN_TILTED_SCORE, MIN_TILTED_PRESENCE = 0.75, 0.95  # animals and textures reach .73 when turned
 PRESENCE_SLACK = 0.95  # the plain picture's fit may be this much less certain than the view's
 TURNED_ROI_MARGIN = 1.4
-MAX_EYE_SURPRISE = 0.06  # outer-eye distances between the mesh's eyes and the drawn ones
+MAX_SURPRISE = 0.06  # outer-eye distances between the mesh's eyes or mouth and the drawn ones
 TILT_GAIN = 0.08  # a turned view must beat the upright ones by this; an upside-down face scores .8 when read upright
 
 
@@ -57,7 +58,7 @@ def detect(rgb: NDArray[np.uint8]) -> list[FaceDetection]:
     """Faces of uint8 [H, W, 3]; none is an answer, not an error."""
     small = _scaled(rgb)
     ratio = np.array([rgb.shape[1] / small.shape[1], rgb.shape[0] / small.shape[0]])
-    faces = [_with_drawn_eyes(_detection(found, small, ratio), rgb) for found in _search(small)]
+    faces = [_as_drawn(_detection(found, small, ratio), rgb) for found in _search(small)]
     return sorted(faces, key=lambda face: -face.box[2] * face.box[3])
 
 
@@ -126,15 +127,18 @@ def _detection(found: _Found, picture: NDArray[np.uint8], ratio: NDArray[np.floa
     )
 
 
-def _with_drawn_eyes(face: FaceDetection, rgb: NDArray[np.uint8]) -> FaceDetection:
-    """The face of a flat drawing with its eyes as they are drawn; where they surprise the mesh, the rest may too."""
-    drawn = drawn_eyes(rgb, face.points)
-    if drawn is None:
-        return face
-    points = with_eyes(face.points, drawn)
-    off = np.linalg.norm(points - face.points, axis=1)[36:48].mean() / outer_eye_distance(face.points)
-    irises = (drawn[0].iris, drawn[1].iris)
-    return replace(face, points=points, irises=irises, fit_advised=face.fit_advised or bool(off > MAX_EYE_SURPRISE))
+def _as_drawn(face: FaceDetection, rgb: NDArray[np.uint8]) -> FaceDetection:
+    """The face of a flat drawing with eyes and mouth as drawn; where they surprise the mesh, the rest may too."""
+    points, irises = face.points, face.irises
+    eyes, mouth = drawn_eyes(rgb, face.points), drawn_mouth(rgb, face.points)
+    if eyes is not None:
+        points, irises = with_eyes(points, eyes), (eyes[0].iris, eyes[1].iris)
+    if mouth is not None:
+        points = points.copy()
+        points[MOUTH] = mouth
+    off = np.linalg.norm(points - face.points, axis=1) / outer_eye_distance(face.points)
+    surprised = max(off[36:48].mean(), off[MOUTH].mean()) > MAX_SURPRISE
+    return replace(face, points=points, irises=irises, fit_advised=face.fit_advised or bool(surprised))
 
 
 def _steadiest_fit(found: _Found, picture: NDArray[np.uint8]) -> tuple[FaceMesh, NDArray[np.uint8]]:

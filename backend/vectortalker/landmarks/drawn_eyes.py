@@ -10,29 +10,16 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import binary_closing, binary_fill_holes, binary_opening
-from skimage import measure
-from skimage.morphology import convex_hull_image, disk
+from skimage.morphology import convex_hull_image
 
 from vectortalker.landmarks.ibug import IrisDisc, outer_eye_distance
-from vectortalker.landmarks.window import Window, sample
-from vectortalker.oklab import to_oklab
+from vectortalker.landmarks.islands import SIDE, Array, Mask, flat_skin, island, numbered, square_at
 
-SIDE = 160  # px of the square in which an eye is looked for
-REACH = 0.9  # its side in outer-eye distances
+REACH = 0.9  # side of the square in which an eye is looked for, outer-eye distances
 EYES = (36, 42)  # first landmark of the image-left and image-right eye
 BROWS = (slice(17, 22), slice(22, 27))
 TEMPLES = (slice(0, 3), slice(14, 17))  # of the jaw's contour
 BROW_ROOM, TEMPLE_ROOM = 0.06, 0.1  # outer-eye distances that lids need to close under a brow and beside a temple
-CHEEKS = ((2, 31), (14, 35), (4, 48), (12, 54), (31, 41), (35, 46))  # skin lies between them
-UNLIKE_SKIN = 0.1  # OKLab distance
-FLAT = 0.03  # OKLab distance within which skin is of one colour …
-LEAST_FLAT = 0.6  # … for this share of the cheeks; photographs have .1 to .5
-THIN = (2, 4, 6)  # px: radii of strokes that are cut off, until the eye is free: rims of glasses, strands of hair
-TONE = 2  # px: half the gaps between the dots of a screentone
-LEAST_AREA, MOST_AREA = 0.008, 0.35  # of the square
-LEAST_SOLIDITY = 0.75  # area over that of the convex hull
-FURTHEST = 0.3  # of the square: from its middle, where the eye was detected
 LEAST_END = 0.3  # of the eye's height: what is lower at its ends is lashes
 ARCH = 1.125  # weight of the inner points' height, less their corners', in the middle of an opening's outline
 CORNER_HEIGHT = 0.65  # of the eye's height below its top: where the lids meet in a round eye
@@ -41,9 +28,6 @@ LASH_LIGHTNESS = 0.5
 MOST_LASH = 0.2  # of the eye's height
 OUTLINE = 3  # px: radius of strokes round the eye, which are not its iris
 LEAST_SCLERA_CONTRAST = 0.25  # of lightness, between white and iris
-
-Mask = NDArray[np.bool_]
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -56,7 +40,7 @@ class DrawnEye:
 
 def drawn_eyes(rgb: NDArray[np.uint8], points: Array) -> tuple[DrawnEye, DrawnEye] | None:
     """Both eyes of a flat drawing with rough landmarks `points` [68, 2]; None if they are no islands in flat skin."""
-    skin = colour_of_most(cheeks(rgb, points), FLAT, LEAST_FLAT)
+    skin = flat_skin(rgb, points)
     if skin is None:
         return None
     eyes = [_drawn_eye(rgb, points, first, skin) for first in EYES]
@@ -79,74 +63,16 @@ def with_eyes(points: Array, eyes: tuple[DrawnEye, DrawnEye]) -> Array:
     return placed
 
 
-def cheeks(rgb: NDArray[np.uint8], points: Array) -> Array:
-    """OKLab [n, 3] of patches of skin in uint8 [H, W, 3], for landmarks [68, 2]; empty beyond the picture."""
-    reach = 0.08 * outer_eye_distance(points)
-    patches = []
-    for a, b in CHEEKS:
-        x, y = (points[a] + points[b]) / 2
-        rows, columns = (slice(max(0, round(v - reach)), max(0, round(v + reach)) + 1) for v in (y, x))
-        patches.append(rgb[rows, columns].reshape(-1, 3))
-    return to_oklab(np.concatenate(patches) / 255)
-
-
-def colour_of_most(lab: Array, within: float, share: float) -> Array | None:
-    """Median of colours [n, 3]; None if less than a `share` of them lies `within` that distance of it."""
-    if not len(lab):
-        return None
-    middle = np.median(lab, axis=0)
-    return middle if (np.linalg.norm(lab - middle, axis=1) < within).mean() >= share else None
-
-
 def _drawn_eye(rgb: NDArray[np.uint8], points: Array, first: int, skin: Array) -> DrawnEye | None:
-    across = points[45] - points[36]
-    side = REACH * float(np.linalg.norm(across))
-    middle = points[first : first + 6].mean(axis=0)
-    window = Window(float(middle[0]), float(middle[1]), side, side, float(np.arctan2(across[1], across[0])))
-    lab = to_oklab(sample(rgb, window, SIDE, extend_border=True)[0] / 255)
-    unlike = np.linalg.norm(lab - skin, axis=2) > UNLIKE_SKIN
-    eye = _island(np.asarray(binary_closing(unlike, disk(TONE)), bool))
-    if eye is None:
+    square = square_at(rgb, points, points[first : first + 6].mean(axis=0), REACH)
+    compact = island(square.unlike(skin))
+    if compact is None:
         return None
-    contour = _contour(eye)
-    centre, radius = _iris(eye, lab[..., 0])
-    axes = np.array([[across[0], across[1]], [-across[1], across[0]]]) / np.linalg.norm(across)
-    scale = side / SIDE
-
-    def placed(xy: Array) -> Array:
-        return middle + (xy - SIDE / 2) * scale @ axes
-
-    x, y = placed(centre)
-    return DrawnEye(placed(contour), IrisDisc((float(x), float(y)), radius * scale))
-
-
-def _island(unlike: Mask) -> Mask | None:
-    """The convex hull of the compact part of `unlike` [SIDE, SIDE] nearest to its middle; None if it is no eye."""
-    for radius in THIN:
-        numbers = _numbered(unlike, radius)
-        parts = (np.asarray(binary_fill_holes(numbers == n), bool) for n in range(1, int(numbers.max()) + 1))
-        eyes = [part for part in parts if _may_be_eye(part)]
-        if eyes:
-            return np.asarray(convex_hull_image(min(eyes, key=_eccentricity)), bool)
-    return None
-
-
-def _numbered(mask: Mask, thin: int) -> NDArray[np.int64]:
-    """Its 4-connected parts without strokes of radius `thin` px, numbered from 1."""
-    return np.asarray(measure.label(binary_opening(mask, disk(thin)), connectivity=1), np.int64)
-
-
-def _may_be_eye(part: Mask) -> bool:
-    touches = part[0].any() or part[-1].any() or part[:, 0].any() or part[:, -1].any()
-    if touches or not LEAST_AREA * SIDE**2 < part.sum() < MOST_AREA * SIDE**2 or _eccentricity(part) > FURTHEST * SIDE:
-        return False
-    return bool(part.sum() >= LEAST_SOLIDITY * convex_hull_image(part).sum())
-
-
-def _eccentricity(part: Mask) -> float:
-    """Distance of its centre from the square's, px."""
-    rows, columns = np.nonzero(part)
-    return float(np.hypot(rows.mean() - (SIDE - 1) / 2, columns.mean() - (SIDE - 1) / 2))
+    eye = np.asarray(convex_hull_image(compact), bool)
+    centre, radius = _iris(eye, square.lab[..., 0])
+    x, y = square.to_portrait(centre)
+    scale = float(np.linalg.norm(square.axes[0]))
+    return DrawnEye(square.to_portrait(_contour(eye)), IrisDisc((float(x), float(y)), radius * scale))
 
 
 def _contour(eye: Mask) -> Array:
@@ -191,7 +117,7 @@ def _iris(eye: Mask, lightness: Array) -> tuple[Array, float]:
     below = eye & (np.arange(SIDE)[:, None] >= top)
     dark, light = np.percentile(lightness[below], (5, 95))
     disc = below & (lightness < (dark + light) / 2) if light - dark > LEAST_SCLERA_CONTRAST else below
-    numbers = _numbered(disc, OUTLINE)
+    numbers = numbered(disc, OUTLINE)
     if numbers.any():
         disc = numbers == 1 + np.bincount(numbers.ravel())[1:].argmax()
     rows, columns = np.nonzero(disc)

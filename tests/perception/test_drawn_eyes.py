@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from vectortalker.decode import Portrait
 from vectortalker.landmarks import detect
-from vectortalker.landmarks.drawn import drawn_eyes
+from vectortalker.landmarks.drawn_eyes import drawn_eyes
 from vectortalker.rig import fit_pins
 
 Sample = Callable[[str], Portrait]
