@@ -21,7 +21,7 @@ from vectortalker.vectorize.ground import with_ground
 from vectortalker.vectorize.level import BACK, FIRST_LOCAL, FORE, TOP
 from vectortalker.vectorize.optimise import Start, Step, optimise
 from vectortalker.vectorize.options import Settings, resolve
-from vectortalker.vectorize.population import Population
+from vectortalker.vectorize.population import Population, take
 from vectortalker.vectorize.progress import Checkpoint, Progress, Result
 from vectortalker.vectorize.resume import checkpoint, restore
 from vectortalker.vectorize.schedule import LevelPlan, plan
@@ -69,7 +69,7 @@ def vectorize(
         yield _report(step, plans, settings, frame, portrait, targets)
     scene = compose(last.population, plans[last.level_index].frame, frame, portrait, targets)
     svg = to_svg(scene, targets.openings, portrait.name, (frame.width, frame.height))
-    yield Progress("measuring", last.level_index + 1, settings.levels, _n_paths(last, targets), WRITTEN, scene)
+    yield Progress("measuring", last.level_index + 1, settings.levels, _n_paths(last, targets), WRITTEN, lambda: scene)
     elapsed = time.perf_counter() - clock, time.process_time() - cpu_clock
     return Result(scene, svg, lambda: _measure(scene, svg, picture, last.iteration, elapsed))
 
@@ -104,15 +104,15 @@ def _report(
     targets: Targets,
 ) -> Progress:
     total = sum(level.iterations for level in plans)
+    shown = take(step.population, np.arange(len(step.population))) if step.picture else None  # the original moves on
+    level = plans[step.level_index].frame
     return Progress(
         stage=f"level {step.level_index + 1} of {settings.levels}",
         level=step.level_index + 1,
         levels=settings.levels,
         n_paths=_n_paths(step, targets),
         fraction=PREPARED + (OPTIMISED - PREPARED) * step.iteration / total,
-        scene=compose(step.population, plans[step.level_index].frame, frame, portrait, targets)
-        if step.picture
-        else None,
+        compose=(lambda: compose(shown, level, frame, portrait, targets)) if shown else None,
         checkpoint=checkpoint(step, settings) if step.level_done else None,
     )
 

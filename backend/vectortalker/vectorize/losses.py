@@ -75,15 +75,23 @@ def evaluate(population: Population, level: Level, fidelity: Fidelity, importanc
     return Evaluation(float(np.sum(losses)), gradients, gains)
 
 
+@dataclass(frozen=True)
+class Aside:
+    """Gradients of a loss that sees `paths` alone, by array name."""
+
+    paths: slice
+    gradients: dict[str, NDArray[np.float32]]
+
+    def add_to(self, gradients: dict[str, NDArray[np.float32]]) -> None:
+        """Add to those of all paths."""
+        for name, share in self.gradients.items():
+            gradients[name][self.paths] += share
+
+
 def detach_fore(
-    population: Population,
-    silhouette: Silhouette,
-    screen: NDArray[np.float32],
-    times: int,
-    threads: int,
-    gradients: dict[str, NDArray[np.float32]],
-) -> None:
-    """Add to `gradients`, `times` over, what makes the fore layer whole by itself: L_fore of supplement B.
+    population: Population, silhouette: Silhouette, screen: NDArray[np.float32], times: int, threads: int
+) -> Aside:
+    """`times` the gradients of what makes the fore layer whole by itself: L_fore of supplement B.
 
     The fore paths alone are painted over a `screen` colour f32 [3]: inside the silhouette none of it may show, outside
     it must stay as it is. With another random screen every time, no colour is a hiding place.
@@ -105,20 +113,13 @@ def detach_fore(
         threads=threads,
         picture=False,
     )
-    gradients["points"][fore] += grad_points * scale
-    gradients["stops"][fore] += grad_stops
-    gradients["axis"][fore] += grad_axis * scale
+    return Aside(fore, {"points": grad_points * scale, "stops": grad_stops, "axis": grad_axis * scale})
 
 
 def complete_local(
-    population: Population,
-    completion: Completion,
-    frame: tuple[int, int],
-    times: int,
-    threads: int,
-    gradients: dict[str, NDArray[np.float32]],
-) -> None:
-    """Add to `gradients`, `times` over, what makes local paths go on under lids and lips: L_local of supplement B.
+    population: Population, completion: Completion, frame: tuple[int, int], times: int, threads: int
+) -> Aside:
+    """`times` the gradients of what makes local paths go on under lids and lips: L_local of supplement B.
 
     The local paths alone are painted, clipped by the completed extent instead of the openings; `frame` (width, height)
     is the level's, over whose pixels the mean is taken.
@@ -139,9 +140,7 @@ def complete_local(
         threads=threads,
         picture=False,
     )
-    gradients["points"][local] += grad_points * share
-    gradients["stops"][local] += grad_stops * share
-    gradients["axis"][local] += grad_axis * share
+    return Aside(local, {"points": grad_points * share, "stops": grad_stops * share, "axis": grad_axis * share})
 
 
 def picture_below(population: Population, level: Level, group: int, fidelity: Fidelity) -> NDArray[np.float32]:

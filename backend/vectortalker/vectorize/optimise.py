@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
+from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from vectortalker.vectorize.level import FIRST_LOCAL, LID, Level
-from vectortalker.vectorize.losses import EVERY_BAND, FLATNESS, Fidelity, complete_local, detach_fore, evaluate
+from vectortalker.vectorize.losses import EVERY_BAND, FLATNESS, Aside, Fidelity, complete_local, detach_fore, evaluate
 from vectortalker.vectorize.options import Settings
 from vectortalker.vectorize.painted import compensate
 from vectortalker.vectorize.population import Population, move, rescale, take
@@ -56,6 +57,19 @@ def optimise(
     finish_early: Callable[[], bool],
 ) -> Generator[Step, None, Step]:
     """Run the levels after `start` and return the last step; `level_at` makes a level's targets when its turn comes."""
+    with ThreadPoolExecutor(1) as beside:
+        return (yield from _levels(level_at, plans, settings, start, threads, finish_early, beside))
+
+
+def _levels(
+    level_at: Callable[[int, LevelPlan], Level],
+    plans: list[LevelPlan],
+    settings: Settings,
+    start: Start,
+    threads: int,
+    finish_early: Callable[[], bool],
+    beside: Executor,
+) -> Generator[Step, None, Step]:
     ingredients = RECIPES[settings.recipe]
     total = sum(level_plan.iterations for level_plan in plans)
     population, done = start.population, start.iterations
@@ -81,7 +95,7 @@ def optimise(
             iteration = _Iteration(i, rate, fidelity, moved_radius)
             if last and i in corrected_at:
                 fitted = compensate(level, population, iteration.fidelity)
-            population = _iterate(population, fitted, settings, iteration, generator)
+            population = _iterate(population, fitted, settings, iteration, generator, beside)
             done += 1
             if i % REPORT_EVERY == 0 or i == level_plan.iterations:
                 finished = i == level_plan.iterations
@@ -123,13 +137,15 @@ def _iterate(
     settings: Settings,
     iteration: _Iteration,
     generator: np.random.Generator,
+    beside: Executor,
 ) -> Population:
     """One step of Adam and, where the schedule says so, a re-allocation of the least important paths after it."""
     ingredients = RECIPES[settings.recipe]
     moving = iteration.moved_radius is not None
+    asides = _start_asides(population, level, iteration, generator, beside)
     result = evaluate(population, level, iteration.fidelity, importance=moving)
-    if iteration.number % ASIDE_EVERY == 0:
-        _add_asides(population, level, result.gradients, generator, iteration.fidelity.threads)
+    for aside in asides:
+        aside.result().add_to(result.gradients)
     move(population, result.gradients, ingredients.rates.scaled(iteration.rate), level.frame, settings.opaque)
     if iteration.moved_radius is None or result.importance is None:
         return population
@@ -139,19 +155,26 @@ def _iterate(
     return seed(kept, level, len(weak), iteration.moved_radius, ingredients, gradient, iteration.fidelity, generator)
 
 
-def _add_asides(
-    population: Population,
-    level: Level,
-    gradients: dict[str, NDArray[np.float32]],
-    generator: np.random.Generator,
-    threads: int,
-) -> None:
-    """Add the gradients of the losses that look at one layer alone, which the fused pass cannot see."""
+def _start_asides(
+    population: Population, level: Level, iteration: _Iteration, generator: np.random.Generator, beside: Executor
+) -> list[Future[Aside]]:
+    """Passes over single layers, which the fused pass cannot see, if it is their turn; they run beside it.
+
+    With one thread they are over when this returns.
+    """
+    threads = iteration.fidelity.threads
+    asides: list[Future[Aside]] = []
+    if iteration.number % ASIDE_EVERY:
+        return asides
     if level.silhouette is not None:
         screen = generator.random(3, dtype=np.float32)
-        detach_fore(population, level.silhouette, screen, ASIDE_EVERY, threads, gradients)
+        asides.append(beside.submit(detach_fore, population, level.silhouette, screen, ASIDE_EVERY, threads))
     if level.completion is not None:
-        complete_local(population, level.completion, level.frame, ASIDE_EVERY, threads, gradients)
+        aside = beside.submit(complete_local, population, level.completion, level.frame, ASIDE_EVERY, threads)
+        asides.append(aside)
+    if threads == 1:
+        wait(asides)
+    return asides
 
 
 def least_important(importance: NDArray[np.float64], group: NDArray[np.int64]) -> NDArray[np.int64]:

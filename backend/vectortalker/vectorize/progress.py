@@ -28,9 +28,9 @@ class Checkpoint:
 
 @dataclass(frozen=True)
 class Progress:
-    """One report. `stage` is ready to be shown; `fraction` of the whole in [0, 1]; `scene` when there is a new picture.
+    """One report. `stage` is ready to be shown; `fraction` of the whole in [0, 1].
 
-    `checkpoint` comes with the last report of every level.
+    `compose` comes with a new picture, `checkpoint` with the last report of every level.
     """
 
     stage: str
@@ -38,8 +38,13 @@ class Progress:
     levels: int
     n_paths: int
     fraction: float
-    scene: schema.Scene | None = None
+    compose: Callable[[], schema.Scene] | None = None
     checkpoint: Checkpoint | None = None
+
+    @cached_property
+    def scene(self) -> schema.Scene | None:
+        """The new picture, made when it is first asked for: a command shows none but the last."""
+        return self.compose() if self.compose else None
 
 
 @dataclass(frozen=True)
