@@ -11,9 +11,10 @@ from vectortalker.animate.drawing import Points
 from vectortalker.animate.rigged import RiggedScene, frame_points, rig_scene
 from vectortalker.bench.posed_figures import Sitting
 from vectortalker.bench.posed_parts import IrisLook, PaintedParts
+from vectortalker.bench.posed_tears import Tears, resting_places
 from vectortalker.bench.posed_views import IRISES, TEETH
 from vectortalker.bench.unsplit import distances_from_map
-from vectortalker.schema import Landmarks, LocalPath, Part, Pose, Scene, SolidFill
+from vectortalker.schema import Landmarks, LocalPath, Part, Pose, Scene, ScenePath, SolidFill
 
 VECTORS = json.loads((Path(__file__).parents[1] / "vectors/rig/face.json").read_text())
 
@@ -83,6 +84,46 @@ def test_looking_aside_leaves_the_iris_its_look(rigged: RiggedScene, parts: list
     aside = rigged.rig.vertices(Pose(articulators={"gaze_x": 0.5, "roll": 10})).vertices
     assert look.unlike(frame_points(rigged, aside), aside) < 0.1
     assert look.unlike(stretched(rigged, parts, "right_iris", 0.3), rigged.rig.rest_vertices) > 0.2
+
+
+def rectangle(left: float, top: float, right: float, bottom: float, opacity: float) -> ScenePath:
+    corners = np.array([(left, top), (right, top), (right, bottom), (left, bottom)])
+    sides = np.roll(corners, -1, axis=0) - corners
+    chain = corners[:, None] + np.array([0, 1 / 3, 2 / 3])[:, None] * sides[:, None]
+    return ScenePath(points=chain.ravel().tolist(), fill=SolidFill(colour="#c09070", opacity=opacity))
+
+
+def two_halves(opacity: float) -> Scene:
+    """A fore of four rectangles without gaps: two halves side by side, held together above and below."""
+    sides = [rectangle(60, 60, 200, 340, opacity), rectangle(200, 60, 340, 340, opacity)]
+    bars = [rectangle(60, 40, 360, 80, opacity), rectangle(60, 320, 360, 360, opacity)]
+    end = rectangle(320, 60, 360, 340, opacity)
+    return Scene(width=400, height=400, canvas="#ffffff", back=[], fore=[*sides, *bars, end], local=[])
+
+
+def test_halves_that_part_are_torn(landmarks: Landmarks) -> None:
+    """Closed form: the right half, 10 px aside, leaves 10 × 240 px between the bars."""
+    rigged = rig_scene(two_halves(1.0), landmarks)
+    points = rigged.rest.copy()
+    points[slice(*rigged.drawing.bounds[1:3]), 0] += 10
+    torn = Tears(rigged, (400, 400)).count(points, rigged.rig.rest_vertices)
+    assert torn == pytest.approx(10 * 240, rel=0.05)
+
+
+def test_what_was_translucent_and_stretches_is_not_torn(landmarks: Landmarks) -> None:
+    rigged = rig_scene(two_halves(0.8), landmarks)
+    turned = rigged.rig.vertices(Pose(articulators={"yaw": 15, "jaw": 1})).vertices
+    assert Tears(rigged, (400, 400)).count(frame_points(rigged, turned), turned) == 0
+
+
+def test_resting_places_are_where_the_mesh_was(rigged: RiggedScene) -> None:
+    """Round trip: a pixel at a posed vertex rests at the vertex."""
+    rig = rigged.rig
+    posed = rig.vertices(Pose(articulators={"yaw": 12, "roll": 10, "jaw": 0.5})).vertices
+    places = resting_places(rig, posed, 1.0, (400, 400))
+    for vertex in (0, 8, 16, 27, 30, 33):
+        column, row = np.floor(posed[vertex]).astype(int)
+        assert np.linalg.norm(places[row, column] + 0.5 - rig.rest_vertices[vertex]) < 2
 
 
 def test_unsplit_curves_leave_the_map_that_split_ones_follow(scene: Scene, landmarks: Landmarks) -> None:

@@ -8,18 +8,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
-from scipy.ndimage import binary_dilation, binary_fill_holes
+from scipy.ndimage import binary_dilation
 
 from vectortalker.animate.drawing import Drawing, Points
 from vectortalker.animate.frames import FrameRenderer
 from vectortalker.animate.rigged import RiggedScene, frame_points
-from vectortalker.bench.posed_parts import EYEBALLS, LEAST_AREA, Blot, IrisLook, PaintedParts, coloured, hidden
+from vectortalker.bench.posed_parts import EYEBALLS, LEAST_AREA, Blot, IrisLook, PaintedParts, coloured
+from vectortalker.bench.posed_tears import GROUNDS, SEES_THROUGH, Tears, on_both
 from vectortalker.bench.posed_views import FULL_BLINK, IRISES, TEETH
 from vectortalker.schema import HexColour, Landmarks, Part, Pose, Scene
 
-MAGENTA, GREEN = "#ff00ff", "#00ff00"
 TOLERANCE = 2  # of 255
-SEES_THROUGH = 16  # of 255 between magenta and green: a sixteenth of what lies behind
 ROW_NOISE = 16  # of 255: how much Skia's antialiasing of an outline depends on what else crosses the row
 BORDER = 2  # px of antialiasing round a region
 EYE_PARTS = (*EYEBALLS.keys(), *EYEBALLS.values())
@@ -27,7 +26,6 @@ EYE_PARTS = (*EYEBALLS.keys(), *EYEBALLS.values())
 SHUT = Pose(articulators=FULL_BLINK)
 
 Mask = NDArray[np.bool_]
-Picture = NDArray[np.int16]  # [h, w, 3]
 
 
 @dataclass(frozen=True)
@@ -58,31 +56,28 @@ class Sitting:
         drawing = rigged.drawing
         nowhere: list[Part | None] = [None] * (len(scene.back) + len(scene.fore))
         parts = [*nowhere, *(path.part for path in scene.local)]
-        back, others = drawing.fills[: drawing.n_back], drawing.fills[drawing.n_back :]
-        in_front = replace(drawing, fills=(*map(hidden, back), *others))
-        self._over = [FrameRenderer(drawing, size, colour) for colour in (MAGENTA, GREEN)]
-        self._fore = [FrameRenderer(in_front, size, colour) for colour in (MAGENTA, GREEN)]
-        self._eyes = [FrameRenderer(self._eyes_painted(parts, colour), size) for colour in (MAGENTA, GREEN)]
+        self._over = [FrameRenderer(drawing, size, colour) for colour in GROUNDS]
+        self._eyes = [FrameRenderer(self._eyes_painted(parts, colour), size) for colour in GROUNDS]
+        self._tears = Tears(rigged, size)
         self._parts = PaintedParts(drawing, parts)
         irises = landmarks.irises or ()
         self._looks = [IrisLook(rigged, parts, iris.radius, eye) for eye, iris in enumerate(irises)]
-        self._rest, self._rest_holes = _pair(self._over, rigged.rest)
-        self._rest_tears = _n_tears(self._fore, rigged.rest)
+        self._rest, self._rest_holes = on_both(self._over, rigged.rest)
         self._rest_parts = self._parts.blots(rigged.rest, (*IRISES, *TEETH))
 
     def figures(self, pose: Pose, parts: tuple[Part, ...]) -> PoseFigures:
         """`parts`: those whose shape and size are measured, irises or teeth."""
         posed = self._rigged.rig.vertices(pose)
         points = frame_points(self._rigged, posed.vertices)
-        picture, holes = _pair(self._over, points)
+        picture, holes = on_both(self._over, points)
         changed = np.abs(picture - self._rest).max(axis=2) > ROW_NOISE
         now = self._parts.blots(points, parts)
         looks = self._looks if parts == IRISES else []
         return PoseFigures(
             holes=int(((holes > TOLERANCE) & (self._rest_holes <= TOLERANCE)).sum()),
-            tears=max(0, _n_tears(self._fore, points) - self._rest_tears),
+            tears=self._tears.count(points, posed.vertices),
             strayed=int((changed & ~self._moved_region(posed.vertices)).sum()),
-            eyes=int((_pair(self._eyes, points)[1] > SEES_THROUGH).sum()) if pose == SHUT else 0,
+            eyes=int((on_both(self._eyes, points)[1] > SEES_THROUGH).sum()) if pose == SHUT else 0,
             iris_shape=self._largest_change(now, IRISES, lambda blot: blot.roundness),
             iris_size=self._largest_change(now, IRISES, lambda blot: blot.area),
             iris_look=max((look.unlike(points, posed.vertices) for look in looks), default=0.0),
@@ -112,18 +107,6 @@ class Sitting:
         for corners in (*rest[triangles], *vertices[triangles], *outlines):
             pen.polygon((corners * self._scale - 0.5).ravel().tolist(), fill=1)
         return np.asarray(binary_dilation(np.asarray(region), iterations=BORDER), bool)
-
-
-def _pair(renderers: list[FrameRenderer], points: Points) -> tuple[Picture, NDArray[np.int16]]:
-    """A frame's picture by the first of two renderers, and how far apart both are."""
-    first, second = (renderer.render(points)[..., :3].astype(np.int16) for renderer in renderers)
-    return first, np.abs(first - second).max(axis=2)
-
-
-def _n_tears(fore: list[FrameRenderer], points: Points) -> int:
-    """Pixels enclosed by the fore layer at which it lets through what lies behind."""
-    opaque = _pair(fore, points)[1] <= SEES_THROUGH
-    return int((np.asarray(binary_fill_holes(opaque), bool) & ~opaque).sum())
 
 
 def _polyline(chain: Points) -> Points:
