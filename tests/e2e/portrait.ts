@@ -2,31 +2,54 @@
 import { expect, type Page } from '@playwright/test';
 import { strToU8, zipSync } from 'fflate';
 import type { LocalPath, Project, Scene, ScenePath } from '../../web/src/api/schema';
+import { SOUND_SECONDS, SYLLABLES, syllablesWav } from './sounds';
 
 const N_SEGMENTS = 6;
 const DURATION = 1.2; // seconds
 const FPS = 25;
 
-/** A fresh page with the portrait of numbers open, ready to be posed. */
-export async function openPortraitOfNumbers(page: Page): Promise<void> {
+/** A fresh page with the portrait of numbers open, ready to be posed; with another file, that of it. */
+export async function openPortraitOfNumbers(page: Page, file = portraitFile()): Promise<void> {
   await page.goto('/');
   const dialog = page.waitForEvent('filechooser');
   await page.getByRole('button', { name: 'Open', exact: true }).click();
-  await (await dialog).setFiles({ name: 'numbers.vtalk', mimeType: 'application/zip', buffer: portraitFile() });
+  await (await dialog).setFiles({ name: 'numbers.vtalk', mimeType: 'application/zip', buffer: file });
   await expect(page.getByRole('spinbutton', { name: 'Jaw, value' })).toBeEnabled();
 }
 
 export function portraitFile(): Buffer {
-  const project: Project = {
+  return packed(project([nod()]), {});
+}
+
+/** The portrait says `transcript` in the syllables of `sounds.ts`. */
+export function speakingPortraitFile(transcript: string): Buffer {
+  const audio = 'speech-syllables.wav';
+  const spoken = {
+    ...nod(),
+    name: 'Syllables',
+    duration: SOUND_SECONDS,
+    tier: 'transcript',
+    audio,
+    visemes: SYLLABLES.map(([start, end]) => ({ t: start, d: end - start, viseme: 'aa', weight: 1 })),
+    choices: { transcript, options: { language: 'en' } },
+  };
+  return packed({ ...project([spoken]), audio }, { [audio]: syllablesWav() });
+}
+
+function packed(document: Project, sounds: Record<string, Uint8Array>): Buffer {
+  return Buffer.from(zipSync({ 'project.json': strToU8(JSON.stringify(document)), ...sounds }));
+}
+
+function project(tracks: Project['tracks']): Project {
+  return {
     schema_version: 1,
     name: 'Numbers',
     scene: scene(),
     landmarks: { points: landmarks(), irises: null, depth: null },
     pose: { articulators: {}, offsets: null },
-    tracks: [nod()],
+    tracks,
     settings: {},
   };
-  return Buffer.from(zipSync({ 'project.json': strToU8(JSON.stringify(project)) }));
 }
 
 function scene(): Scene {

@@ -2,17 +2,21 @@
 import type { JSX } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import { Button } from '../shell/Button';
+import { captions } from '../speech/state';
 import { scene, track } from '../store/state';
 import { cancel, type Exporting, type ExportKind, exporting, looped, prepare, prepareLighter, start, videoSize } from './exporting';
 import { forecastText, sizeText } from './forecast';
 import './export.css';
 
-const KINDS: readonly { readonly kind: ExportKind; readonly label: string; readonly about: string; readonly moves: boolean }[] = [
-  { kind: 'svg', label: 'SVG', about: 'The layered picture as it stands on the stage', moves: false },
-  { kind: 'animated', label: 'Animated SVG', about: 'Plays anywhere an image does, without scripts', moves: true },
-  { kind: 'page', label: 'Web page', about: 'One file that moves in any browser, with its sound', moves: true },
-  { kind: 'mp4', label: 'MP4 video', about: 'H.264, for messengers, slides and video editors', moves: true },
-  { kind: 'webm', label: 'WebM video', about: 'VP9, for the web', moves: true },
+type Need = 'track' | 'words';
+
+const KINDS: readonly { readonly kind: ExportKind; readonly label: string; readonly about: string; readonly needs: readonly Need[] }[] = [
+  { kind: 'svg', label: 'SVG', about: 'The layered picture as it stands on the stage', needs: [] },
+  { kind: 'animated', label: 'Animated SVG', about: 'Plays anywhere an image does, without scripts', needs: ['track'] },
+  { kind: 'page', label: 'Web page', about: 'One file that moves in any browser, with its sound and captions', needs: ['track'] },
+  { kind: 'mp4', label: 'MP4 video', about: 'H.264, for messengers, slides and video editors', needs: ['track'] },
+  { kind: 'webm', label: 'WebM video', about: 'VP9, for the web', needs: ['track'] },
+  { kind: 'captions', label: 'Captions', about: 'WebVTT: what is said and when, for players and video sites', needs: ['track', 'words'] },
 ];
 const VIDEO_SIZES = [360, 512, 720, 1080];
 const LARGE_BYTES = 5_000_000; // slow to open on a phone
@@ -36,19 +40,14 @@ export function ExportMenu(): JSX.Element {
 function Choices(): JSX.Element {
   return (
     <>
-      {KINDS.map(({ kind, label, about, moves }) => (
-        <button
-          type="button"
-          key={kind}
-          class="export-choice"
-          disabled={!scene.value || (moves && !track.value)}
-          onClick={() => prepare(kind)}
-        >
+      {KINDS.map(({ kind, label, about, needs }) => (
+        <button type="button" key={kind} class="export-choice" disabled={!scene.value || !needs.every(has)} onClick={() => prepare(kind)}>
           <strong>{label}</strong>
           <span>{about}</span>
         </button>
       ))}
-      {!track.value && <p class="export-note">Choose a track on the timeline to export motion.</p>}
+      {!has('track') && <p class="export-note">Choose a track on the timeline to export motion.</p>}
+      {has('track') && !has('words') && <p class="export-note">For captions, write what is said in the Speech panel.</p>}
       <label class="export-option">
         Video size
         <select
@@ -78,6 +77,8 @@ function Choices(): JSX.Element {
     </>
   );
 }
+
+const has = (need: Need) => (need === 'track' ? track.value !== null : captions.value.length > 0);
 
 /** What is under way or about to start. */
 function Course(): JSX.Element | null {

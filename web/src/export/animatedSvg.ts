@@ -32,12 +32,18 @@ export function animatedSvg(score: Score, { looped, durationSeconds, coarseness 
       tolerance: coarseness * TOLERANCE * Math.max(1, Math.max(width, height) / TOLERANCE_SIDE),
       looped,
       title: score.name,
-      description: `Animated vector portrait of ${fills.length} paths. Made with VectorTalker.`,
+      description: descriptionOf(fills.length, score.captions),
     });
     return withOpacities(text, score.layers);
   } finally {
     rig.dispose();
   }
+}
+
+/** For who does not see it: what it is, and what it says. */
+function descriptionOf(pathCount: number, captions: Score['captions']): string {
+  const words = captions.map(({ text }) => text).join(' ');
+  return `Animated vector portrait of ${pathCount} paths.${words && ` It says: “${words}”`} Made with VectorTalker.`;
 }
 
 /** Writes every eighth path, and reckons from it. */

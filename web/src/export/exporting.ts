@@ -2,8 +2,10 @@
 import { signal as state } from '@preact/signals';
 import { download } from '../project/files';
 import { buildRig } from '../rig/rig';
+import { webVtt } from '../speech/captions';
 import { mediaTypeOf } from '../speech/clips';
 import { clip, sound } from '../speech/sound';
+import { captions } from '../speech/state';
 import { rigModuleReady, standing } from '../stage/posing';
 import { announce, report } from '../store/notices';
 import { edit, history, scene, track } from '../store/state';
@@ -20,7 +22,7 @@ import { stillSvg } from './svgFile';
 import { forecastAnimatedSvg, writeAnimatedSvg } from './svgThread';
 import { canEncode, encodeVideo, type VideoOptions } from './videoFile';
 
-export type ExportKind = 'svg' | 'animated' | 'page' | 'mp4' | 'webm';
+export type ExportKind = 'svg' | 'animated' | 'page' | 'mp4' | 'webm' | 'captions';
 
 /** Where a video would be made. */
 export type Maker = 'browser' | 'server';
@@ -113,6 +115,8 @@ async function measured(what: ExportKind, timing: SvgTiming, signal: AbortSignal
   switch (what) {
     case 'svg':
       return { forecast: { bytes: still().length, seconds: 0 }, maker: 'browser' };
+    case 'captions':
+      return { forecast: { bytes: webVtt(captions.value).length, seconds: 0 }, maker: 'browser' };
     case 'animated':
       return { forecast: await forecastAnimatedSvg(score(), timing, signal), maker: 'browser' };
     case 'page': {
@@ -134,7 +138,7 @@ async function measured(what: ExportKind, timing: SvgTiming, signal: AbortSignal
 /** What becomes of the sound, where it is not as people would expect. */
 async function soundNote(what: ExportKind): Promise<string | null> {
   const spoken = sound.value?.buffer;
-  if (!spoken || what === 'svg' || what === 'page') return null;
+  if (!spoken || what === 'svg' || what === 'page' || what === 'captions') return null;
   if (what === 'animated') return 'Without sound: an SVG has none. It is in step when both are started together.';
   const codec = await soundCodec(what, spoken);
   if (!codec) return 'Without sound: this browser cannot encode any.';
@@ -153,6 +157,8 @@ async function made({ what, maker, forecast, timing }: Making, signal: AbortSign
   switch (what) {
     case 'svg':
       return { data: new Blob([still()], { type: 'image/svg+xml' }), name: `${name}.svg` };
+    case 'captions':
+      return { data: new Blob([webVtt(captions.value)], { type: 'text/vtt' }), name: `${name}.vtt` };
     case 'animated':
     case 'page': {
       const spoken = what === 'page' ? clip.value : null;
@@ -160,7 +166,12 @@ async function made({ what, maker, forecast, timing }: Making, signal: AbortSign
       const turns = { ...timing, looped: looped.value && !spoken }; // the sound repeats, and the picture follows it
       const text = await writeAnimatedSvg(score(), turns, forecast?.seconds ?? 0, signal, onProgress);
       if (what === 'animated') return { data: new Blob([text], { type: 'image/svg+xml' }), name: `${name}-animated.svg` };
-      const pageSound = spoken && { data: spoken.data, mediaType: mediaTypeOf(spoken.name), looped: looped.value };
+      const pageSound = spoken && {
+        data: spoken.data,
+        mediaType: mediaTypeOf(spoken.name),
+        looped: looped.value,
+        captions: captions.value,
+      };
       return { data: new Blob([await pageFile(text, name, pageSound)], { type: 'text/html' }), name: `${name}.html` };
     }
     case 'mp4':
@@ -190,7 +201,7 @@ const videoOptions = (kind: VideoKind): VideoOptions => ({ kind, fps: FPS, longe
 function score(): Score {
   const { name, landmarks, pose, layers } = history.value.present;
   if (!scene.value || !landmarks || !track.value) throw new Error('Choose a track first: there is nothing to play.');
-  return { name, scene: shownScene(scene.value, layers), landmarks, layers, pose, track: track.value };
+  return { name, scene: shownScene(scene.value, layers), landmarks, layers, pose, track: track.value, captions: captions.value };
 }
 
 /** Gives `use` a rig of its own: the stage's remembers what it shows. The rig is freed when the result is there. */

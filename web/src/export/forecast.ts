@@ -13,7 +13,7 @@ export async function forecastVideo(performance: Performance, options: VideoOpti
   const count = frameCount(performance, options.fps);
   const from = Math.floor(Math.max(0, count - SAMPLED_FRAMES) / 2);
   const to = Math.min(count, from + SAMPLED_FRAMES);
-  const sample = await encodeFrames({ ...performance, sound: null }, options, { from, to }, signal, () => {});
+  const sample = await encodeFrames({ ...performance, sound: null, captions: [] }, options, { from, to }, signal, () => {});
   const scale = count / (to - from);
   const soundBytes = performance.sound ? SOUND_BYTES_PER_SECOND * performance.track.duration : 0;
   return { bytes: sample.size * scale + soundBytes, seconds: (now() - start) * scale };

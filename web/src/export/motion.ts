@@ -1,6 +1,7 @@
 /** What an export plays: the layers shown, the pose they stand in and the track on top of it. */
 import type { Landmarks, Pose, Scene, Track } from '../api/schema';
 import type { Rig } from '../rig/rig';
+import type { Cue } from '../speech/captions';
 import { isAtRest } from '../store/edit';
 import { framesOf, posesOf } from '../timeline/bakedKeys';
 import { keyframesOf } from '../timeline/keyframes';
@@ -17,6 +18,8 @@ export type Score = {
   readonly layers: LayerLooks;
   readonly pose: Pose;
   readonly track: Track;
+  /** What it says. */
+  readonly captions: readonly Cue[];
 };
 
 /** A score with its scene rigged. */

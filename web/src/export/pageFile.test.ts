@@ -10,5 +10,12 @@ const TITLE = 'Ada & <Lucy> $svg';
 test('a silent page', () => expect(pageText(SVG, TITLE, null)).toBe(golden('silent')));
 
 test('a page with sound', () => {
-  expect(pageText(SVG, TITLE, playerOf('data:audio/mp4;base64,AAEC', false))).toBe(golden('spoken'));
+  expect(pageText(SVG, TITLE, playerOf('data:audio/mp4;base64,AAEC', false, null))).toBe(golden('spoken'));
+});
+
+test('captions are a track of the sound', () => {
+  expect(playerOf('data:audio/mp4;base64,AAEC', true, 'data:text/vtt;base64,V0VCVlRU')).toBe(
+    '<audio controls loop src="data:audio/mp4;base64,AAEC">' +
+      '<track kind="captions" label="Captions" src="data:text/vtt;base64,V0VCVlRU" default></audio>',
+  );
 });

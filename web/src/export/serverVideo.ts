@@ -1,8 +1,8 @@
-/** Has the server render a video, for browsers that cannot encode one: POST, follow its job, fetch the file, add the sound. */
+/** Has the server render a video, for browsers that cannot encode one: POST, follow its job, fetch the file, add sound and captions. */
 import { getVideo, postVideo } from '../api/client';
 import { jobDone } from '../api/events';
 import { bakedTrack, type Performance } from './motion';
-import { withSound } from './soundOfVideo';
+import { withSpeech } from './speechOfVideo';
 import type { VideoOptions } from './videoFile';
 
 /** The finished file. Aborting cancels the job on the server too. */
@@ -12,9 +12,9 @@ export async function renderOnServer(
   signal: AbortSignal,
   onProgress: (share: number) => void,
 ): Promise<Blob> {
-  const { scene, landmarks, sound } = performance;
+  const { scene, landmarks } = performance;
   const job = await postVideo({ scene, landmarks, track: bakedTrack(performance), fps, size: longerSide, format: kind }, signal);
   await jobDone(job.id, signal, ({ progress }) => onProgress(progress));
   const video = await getVideo(job.id, signal);
-  return sound ? withSound(video, kind, sound) : video;
+  return withSpeech(video, kind, performance);
 }

@@ -1,6 +1,7 @@
 /** Turns frames painted on a canvas into an MP4 or WebM file, by WebCodecs. */
 import type { Output, VideoCodec } from 'mediabunny';
 import { evenSize, type PixelSize, paintFrame } from './canvas';
+import { addCaptions } from './captionTrack';
 import { fileFormat, MEDIA_TYPES, type VideoKind } from './container';
 import { type Drawing, drawingOf, frameOf, restFrame } from './drawing';
 import { frameCount, type Performance, verticesAt } from './motion';
@@ -17,7 +18,7 @@ export async function canEncode(kind: VideoKind, size: PixelSize): Promise<boole
   const canvas = new OffscreenCanvas(size.width, size.height);
   if (!canvas.getContext('2d', { alpha: false })) return false;
   try {
-    const encoding = await startEncoding(canvas, kind, 25, null);
+    const encoding = await startEncoding(canvas, kind, 25, SILENT);
     await encoding.add(0);
     return (await encoding.finish()).size > 0;
   } catch {
@@ -50,7 +51,7 @@ export async function encodeFrames(
   const canvas = new OffscreenCanvas(size.width, size.height);
   const context = canvas.getContext('2d', { alpha: false });
   if (!context) throw new Error('This browser gives no 2D canvas.');
-  const encoding = await startEncoding(canvas, kind, fps, performance.sound);
+  const encoding = await startEncoding(canvas, kind, fps, performance);
   try {
     for (let frame = from; frame < to; frame++) {
       signal.throwIfAborted();
@@ -66,6 +67,9 @@ export async function encodeFrames(
   }
 }
 
+type Spoken = Pick<Performance, 'sound' | 'captions'>;
+const SILENT: Spoken = { sound: null, captions: [] };
+
 type Encoding = {
   /** Adds what is on the canvas as frame `index`. */
   readonly add: (index: number) => Promise<void>;
@@ -73,7 +77,7 @@ type Encoding = {
   readonly cancel: () => Promise<void>;
 };
 
-async function startEncoding(canvas: OffscreenCanvas, kind: VideoKind, fps: number, sound: AudioBuffer | null): Promise<Encoding> {
+async function startEncoding(canvas: OffscreenCanvas, kind: VideoKind, fps: number, { sound, captions }: Spoken): Promise<Encoding> {
   const { BufferTarget, CanvasSource, Output, QUALITY_HIGH } = await import('mediabunny');
   const format = await fileFormat(kind);
   const target = new BufferTarget();
@@ -82,7 +86,9 @@ async function startEncoding(canvas: OffscreenCanvas, kind: VideoKind, fps: numb
   output.addVideoTrack(source, { frameRate: fps });
   const codec = sound && (await soundCodec(kind, sound));
   const speak = sound && codec ? await addSound(output, codec, sound) : () => Promise.resolve();
+  const caption = await addCaptions(output, captions);
   await output.start();
+  await caption();
   return {
     add: async (index) => {
       await source.add(index / fps, 1 / fps);

@@ -8,6 +8,7 @@ import { growSoftRadius, takeTool, toggle } from '../store/looking';
 import { report } from '../store/notices';
 import {
   canPose,
+  captionsShown,
   comparing,
   edit,
   ghostShown,
@@ -107,6 +108,7 @@ export const SHORTCUT_GROUPS: readonly ShortcutGroup[] = [
       { keys: ['home'], label: 'Back to the start', run: rewind },
       { keys: ['end'], label: 'To the end', run: () => seek(track.value?.duration ?? 0) },
       { keys: ['i'], label: 'Keyframe of the pose at the playhead', run: insertKeyframe },
+      { keys: ['w'], label: 'Captions', run: () => toggle(captionsShown) },
       { keys: ['o'], label: 'Loop', run: () => toggle(looping) },
     ],
   },
@@ -121,6 +123,7 @@ export const LANDMARK_KEYS: readonly (readonly [string, string])[] = [
   ['Tab', 'Next group of landmarks'],
   ['Page Up, Page Down', 'Other landmarks of the group'],
   ['Arrows', 'Nudge by half a pixel, with Shift by 5'],
+  ['Pen', 'A harder press reaches farther'],
   ['Delete', 'Back to rest'],
   ['Esc', 'Cancel a drag'],
 ];

@@ -3,6 +3,7 @@ import { computed, effect, signal } from '@preact/signals';
 import type { Span, SpeechRequest } from '../api/schema';
 import { track } from '../store/state';
 import type { Blocks } from './blocks';
+import { captionsOf } from './captions';
 import { blocksOf, type Choices, choicesOf, STANDARD_CHOICES } from './speechTrack';
 
 export type Listening =
@@ -31,6 +32,7 @@ export const choices = signal<Choices>(STANDARD_CHOICES);
 /** Blocks of an edit whose track is still being made. */
 export const pendingBlocks = signal<Blocks | null>(null);
 export const blocks = computed<Blocks | null>(() => pendingBlocks.value ?? blocksOf(track.value));
+export const captions = computed(() => captionsOf(track.value));
 export const selectedIndex = signal<number | null>(null);
 /** Dragged out on the waveform, to be listened to again. */
 export const selectedSpan = signal<Readonly<Span> | null>(null);

@@ -5,6 +5,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { NoticeBar } from '../shell/NoticeBar';
 import { useObjectUrl } from '../shell/useObjectUrl';
 import { comparing, mirrored, playing, portrait, scene, session, tool } from '../store/state';
+import { Caption } from './Caption';
 import { FaceBoxes } from './FaceBoxes';
 import { Hint } from './Hint';
 import { listenToHandleKeys } from './handleKeys';
@@ -56,6 +57,7 @@ export function Stage(): JSX.Element {
       <Insets />
       <StageOptions />
       <Hint />
+      <Caption />
       <div class="stage-messages" data-own-pointer>
         <NoticeBar />
         <Progress />

@@ -94,6 +94,8 @@ export const comparing = signal(false);
 
 export const playing = signal(false);
 export const looping = signal(true);
+/** Whether what is said is written on the stage while it is. */
+export const captionsShown = signal(true);
 /** The playhead; 0 is the start of the track. */
 export const timeSeconds = signal(0);
 

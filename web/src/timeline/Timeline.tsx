@@ -4,8 +4,9 @@ import type { JSX } from 'preact';
 import type { Track } from '../api/schema';
 import { Button, IconButton } from '../shell/Button';
 import { SpeechStrip } from '../speech/SpeechStrip';
+import { captions } from '../speech/state';
 import { toggle } from '../store/looking';
-import { canPose, looping, playing, timeSeconds, track } from '../store/state';
+import { canPose, captionsShown, looping, playing, timeSeconds, track } from '../store/state';
 import { insertKeyframe, useTrack } from '../store/tracks';
 import { demoTrack } from './demo';
 import { KeyLane } from './KeyLane';
@@ -29,6 +30,14 @@ export function Timeline(): JSX.Element {
         />
         <IconButton icon="reset" label="Back to the start" keys="Home" disabled={disabled} onClick={rewind} />
         <IconButton icon="loop" label="Loop" keys="O" pressed={looping.value} onClick={() => toggle(looping)} />
+        <IconButton
+          icon="captions"
+          label={captions.value.length > 0 ? 'Captions' : 'Captions: write what is said in the Speech panel'}
+          keys="W"
+          pressed={captionsShown.value && captions.value.length > 0}
+          disabled={captions.value.length === 0}
+          onClick={() => toggle(captionsShown)}
+        />
         <IconButton icon="key" label="Keyframe of the pose" keys="I" disabled={!canPose.value} onClick={insertKeyframe} />
         <Clock duration={current?.duration ?? 0} />
         <TrackMenu />
