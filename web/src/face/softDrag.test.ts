@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { N_LANDMARKS } from './ibug';
-import { falloff, softDrag } from './softDrag';
+import { falloff, pressedRadius, softDrag } from './softDrag';
 import type { Xy } from './vector';
 
 /** All landmarks in a row, one unit apart. */
@@ -43,5 +43,11 @@ describe('falloff', () => {
     expect(falloff(0)).toBe(1);
     expect(falloff(1)).toBe(0);
     expect(falloff(7)).toBe(0);
+  });
+});
+
+describe('pressedRadius', () => {
+  it('is the set radius without a pen and at half its pressure, half of it at a touch, twice at the hardest', () => {
+    expect([null, 0.5, 0, 1].map((pressure) => pressedRadius(3, pressure))).toEqual([3, 3, 1.5, 6]);
   });
 });

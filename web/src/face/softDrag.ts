@@ -32,6 +32,13 @@ function pull(rest: readonly Xy[], index: number, drag: Xy, { radius, single }: 
   });
 }
 
+const PRESSURE_DOUBLINGS = 2; // of the radius, from the lightest touch to the heaviest
+
+/** How far a drag reaches with a pen pressed so hard, 0 to 1: half as far, as far as set at half the pressure, twice as far. Null: no pen. */
+export function pressedRadius(radius: number, pressure: number | null): number {
+  return pressure === null ? radius : radius * 2 ** (PRESSURE_DOUBLINGS * (pressure - 0.5));
+}
+
 /** Raised cosine: 1 at distance 0, 0 from distance 1 on. */
 export function falloff(relativeDistance: number): number {
   return relativeDistance < 1 ? (1 + Math.cos(Math.PI * relativeDistance)) / 2 : 0;

@@ -7,6 +7,7 @@ import { useObjectUrl } from '../shell/useObjectUrl';
 import type { Edit } from '../store/edit';
 import { discard, settle, sketch } from '../store/editing';
 import { edit, history, portrait, session, tool } from '../store/state';
+import { type Held, heldWith } from './held';
 import { INSET, insetBox } from './insetBox';
 import { REACH } from './reach';
 import { correctIris, correctLandmark } from './tools/restTool';
@@ -60,7 +61,7 @@ function Enlarged({ inset: { label, groups, iris }, picture }: { readonly inset:
         <Point
           key={index}
           at={landmarks.points[index]}
-          correct={(start, moved, alone) => correctLandmark(start, index, moved, alone, REACH)}
+          correct={(start, moved, held) => correctLandmark(start, index, moved, held, REACH)}
         />
       ))}
       {centre && iris !== null && <Point at={centre} correct={(start, moved) => correctIris(start, iris, moved)} />}
@@ -68,7 +69,7 @@ function Enlarged({ inset: { label, groups, iris }, picture }: { readonly inset:
   );
 }
 
-type PointProps = { readonly at: Xy; readonly correct: (start: Edit, moved: Xy, alone: boolean) => Edit };
+type PointProps = { readonly at: Xy; readonly correct: (start: Edit, moved: Xy, held: Held) => Edit };
 
 /** A point that is dragged; the keyboard has its twin on the stage. */
 function Point({ at, correct }: PointProps): JSX.Element {
@@ -78,7 +79,7 @@ function Point({ at, correct }: PointProps): JSX.Element {
     from.value = portraitPoint(event);
   };
   const drag = (event: PointerEvent & { currentTarget: SVGCircleElement }) => {
-    if (from.value) sketch(correct(history.value.present, subtract(portraitPoint(event), from.value), event.altKey));
+    if (from.value) sketch(correct(history.value.present, subtract(portraitPoint(event), from.value), heldWith(event)));
   };
   const end = (finish: () => void) => () => {
     from.value = null;

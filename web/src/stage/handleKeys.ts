@@ -4,6 +4,7 @@ import type { Xy } from '../face/vector';
 import { withoutOffsets } from '../store/edit';
 import { apply, settle, sketch } from '../store/editing';
 import { edit, tool } from '../store/state';
+import { heldWith } from './held';
 import { describeHandle } from './overlay';
 import { standingPoints } from './posing';
 import { REACH } from './reach';
@@ -53,8 +54,8 @@ function nudge(index: number, direction: Xy, event: KeyboardEvent): void {
   const moved: Xy = [direction[0] * length, direction[1] * length];
   const rest = edit.value.landmarks?.points;
   if (!rest) return;
-  if (tool.value === 'rest') sketch(correctLandmark(edit.value, index, moved, event.altKey, REACH));
-  else sketch(dragLandmark(edit.value, index, rest, moved, event.altKey, REACH));
+  if (tool.value === 'rest') sketch(correctLandmark(edit.value, index, moved, heldWith(event), REACH));
+  else sketch(dragLandmark(edit.value, index, rest, moved, heldWith(event), REACH));
 }
 
 function moveFocus(overlay: SVGSVGElement, index: number, by: number): void {

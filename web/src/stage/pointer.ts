@@ -2,6 +2,7 @@
 import type { Xy } from '../face/vector';
 import { discard, settle, sketch } from '../store/editing';
 import { history, portrait } from '../store/state';
+import { heldWith } from './held';
 import { type Gesture, IDLE, type Outcome, type PointerStep, type Press, step, type Tool } from './tools/gesture';
 import { panBy, toPortrait, zoomAt } from './view';
 import { hoveredTarget, lookAt, stageSize, view } from './viewState';
@@ -128,5 +129,5 @@ function carryOut(outcome: Outcome): void {
 function pressOf(event: MouseEvent, stage: HTMLElement): Press {
   const box = stage.getBoundingClientRect();
   const screen: Xy = [event.clientX - box.left, event.clientY - box.top];
-  return { screen, portrait: toPortrait(view.value, stageSize.value, screen), shift: event.shiftKey, alt: event.altKey };
+  return { screen, portrait: toPortrait(view.value, stageSize.value, screen), ...heldWith(event) };
 }

@@ -5,7 +5,7 @@ import { type Gesture, IDLE, type Outcome, type PointerStep, type Press, type St
 
 const START: Start = { edit: editOf('Portrait', null), view: { centre: [0, 0], scale: 1 } };
 const SKETCHED = withChannel(START.edit, 'jaw', 1);
-const press = (x: number, y: number): Press => ({ screen: [x, y], portrait: [x, y] as Xy, shift: false, alt: false });
+const press = (x: number, y: number): Press => ({ screen: [x, y], portrait: [x, y] as Xy, pressure: null, shift: false, alt: false });
 
 const TOOL: Tool = {
   aim: ({ screen }) => (screen[0] < 0 ? null : { kind: 'canvas' }),

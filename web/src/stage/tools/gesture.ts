@@ -3,15 +3,11 @@
 import type { Region } from '../../face/regions';
 import type { Xy } from '../../face/vector';
 import type { Edit } from '../../store/edit';
+import type { Held } from '../held';
 import type { View } from '../view';
 
 /** A pointer on the stage: where it is, and what is held with it. */
-export type Press = {
-  readonly screen: Xy;
-  readonly portrait: Xy;
-  readonly shift: boolean;
-  readonly alt: boolean;
-};
+export type Press = Held & { readonly screen: Xy; readonly portrait: Xy };
 
 export type Target =
   | { readonly kind: 'landmark'; readonly index: number }

@@ -1,9 +1,10 @@
 /** The pose tool: drags landmarks of the present pose, or the articulator of the part that was grabbed. */
 import { landmarkName, mirrorOf } from '../../face/ibug';
 import { articulate, outerEyeDistance, REGION_CHANNELS, REGION_HINTS, regionAt } from '../../face/regions';
-import { softDrag } from '../../face/softDrag';
+import { pressedRadius, type Reach, softDrag } from '../../face/softDrag';
 import { rotate, scale, subtract, type Xy } from '../../face/vector';
 import { type Edit, withArticulators, withOffsetsAdded, withoutChannels, withoutOffsets } from '../../store/edit';
+import type { Held } from '../held';
 import { NOTHING, type Outcome, type Press, type Start, type Target, type Tool } from './gesture';
 import { nearestPoint } from './nearest';
 
@@ -41,22 +42,27 @@ function drag(target: Target, start: Start, from: Press, to: Press, around: Pose
   const rest = start.edit.landmarks?.points;
   if (target.kind === 'canvas' || !rest) return around.pan.drag(target, start, from, to);
   const moved = subtract(to.portrait, from.portrait);
-  if (target.kind === 'landmark') return { kind: 'sketch', edit: dragLandmark(start.edit, target.index, rest, moved, to.alt, around) };
+  if (target.kind === 'landmark') return { kind: 'sketch', edit: dragLandmark(start.edit, target.index, rest, moved, to, around) };
   if (target.kind === 'iris') return NOTHING;
   const articulators = articulate(start.edit.pose.articulators, target.region, moved, outerEyeDistance(rest), to.shift);
   return { kind: 'sketch', edit: withArticulators(start.edit, articulators) };
 }
 
 /** `edit` with landmark `index` moved by `moved` portrait pixels on the stage. Offsets turn with the head, so the drag turns back. */
-export function dragLandmark(edit: Edit, index: number, rest: readonly Xy[], moved: Xy, alone: boolean, around: Reaching): Edit {
+export function dragLandmark(edit: Edit, index: number, rest: readonly Xy[], moved: Xy, held: Held, around: Reaching): Edit {
   const roll = ((edit.pose.articulators.roll ?? 0) * Math.PI) / 180;
   const unit = outerEyeDistance(rest);
   const drag = scale(rotate(moved, -roll), 1 / unit);
-  const reach = { radius: around.softRadius() * unit, single: alone || around.single(), mirrored: around.mirrored() };
-  return withOffsetsAdded(edit, softDrag(rest, index, drag, reach));
+  return withOffsetsAdded(edit, softDrag(rest, index, drag, reachOf(unit, held, around)));
 }
 
 export type Reaching = Pick<PoseSurroundings, 'softRadius' | 'single' | 'mirrored'>;
+
+/** `unit`: the outer-eye distance in portrait pixels, in which the reach is. */
+export function reachOf(unit: number, { alt, pressure }: Held, around: Reaching): Reach {
+  const radius = pressedRadius(around.softRadius() * unit, pressure);
+  return { radius, single: alt || around.single(), mirrored: around.mirrored() };
+}
 
 function reset(target: Target, edit: Edit, around: PoseSurroundings): Outcome {
   switch (target.kind) {

@@ -5,9 +5,10 @@ import { outerEyeDistance } from '../../face/regions';
 import { softDrag } from '../../face/softDrag';
 import { add, subtract, type Xy } from '../../face/vector';
 import { type Edit, withLandmarks } from '../../store/edit';
+import type { Held } from '../held';
 import { NOTHING, type Outcome, type Press, type Start, type Target, type Tool } from './gesture';
 import { nearestPoint } from './nearest';
-import type { Reaching } from './poseTool';
+import { type Reaching, reachOf } from './poseTool';
 
 export type RestSurroundings = Reaching & {
   readonly landmarks: () => Landmarks | null;
@@ -38,17 +39,17 @@ function aim(press: Press, around: RestSurroundings): Target {
 
 function drag(target: Target, start: Start, from: Press, to: Press, around: RestSurroundings): Outcome {
   const moved = subtract(to.portrait, from.portrait);
-  if (target.kind === 'landmark') return { kind: 'sketch', edit: correctLandmark(start.edit, target.index, moved, to.alt, around) };
+  if (target.kind === 'landmark') return { kind: 'sketch', edit: correctLandmark(start.edit, target.index, moved, to, around) };
   if (target.kind === 'iris') return { kind: 'sketch', edit: correctIris(start.edit, target.index, moved) };
   return around.pan.drag(target, start, from, to);
 }
 
 /** `edit` with rest landmark `index` moved by `moved` portrait pixels. */
-export function correctLandmark(edit: Edit, index: number, moved: Xy, alone: boolean, around: Reaching): Edit {
+export function correctLandmark(edit: Edit, index: number, moved: Xy, held: Held, around: Reaching): Edit {
   const landmarks = edit.landmarks;
   if (!landmarks) return edit;
-  const radius = around.softRadius() * outerEyeDistance(landmarks.points);
-  const displacements = softDrag(landmarks.points, index, moved, { radius, single: alone || around.single(), mirrored: around.mirrored() });
+  const reach = reachOf(outerEyeDistance(landmarks.points), held, around);
+  const displacements = softDrag(landmarks.points, index, moved, reach);
   return withLandmarks(edit, { ...landmarks, points: landmarks.points.map((point, k) => add(point, displacements[k])) });
 }
 
