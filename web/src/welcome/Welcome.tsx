@@ -8,6 +8,8 @@ import { useObjectUrl } from '../shell/useObjectUrl';
 import { report, tell } from '../store/notices';
 import { returnToPortrait } from '../store/opening';
 import { documentName, portrait, preset, session } from '../store/state';
+import { CameraView } from './CameraView';
+import { camera, startCamera } from './camera';
 import { dragging, openClipboard, openFile, openSample } from './incoming';
 import { type Sample, samples } from './samples';
 
@@ -58,8 +60,21 @@ function Return(): JSX.Element | null {
 }
 
 function DropZone(): JSX.Element {
+  const isCameraOn = camera.value.kind === 'asking' || camera.value.kind === 'seeing';
   return (
     <section class={dragging.value ? 'drop-zone over' : 'drop-zone'} aria-label="Open a portrait">
+      {isCameraOn ? <CameraView /> : <Ways />}
+      <DetailChoice />
+      <p class="quiet">{detailMeaning(preset.value)} · PNG, JPEG, WebP, GIF, BMP or TIFF, up to 25 MB</p>
+    </section>
+  );
+}
+
+/** The ways by which a picture gets here. */
+function Ways(): JSX.Element {
+  const now = camera.value;
+  return (
+    <>
       <Icon name="picture" />
       <p class="drop-title">{dragging.value ? 'Let go to open it' : 'Drop a portrait here'}</p>
       <div class="row">
@@ -67,10 +82,10 @@ function DropZone(): JSX.Element {
           Choose a file
         </Button>
         <Button onClick={() => void paste()}>Paste</Button>
+        <Button onClick={() => startCamera().catch(report)}>Use the camera</Button>
       </div>
-      <DetailChoice />
-      <p class="quiet">{detailMeaning(preset.value)} · PNG, JPEG, WebP, GIF, BMP or TIFF, up to 25 MB</p>
-    </section>
+      {now.kind === 'refused' && <p role="alert">{now.reason}</p>}
+    </>
   );
 }
 
