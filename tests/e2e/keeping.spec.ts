@@ -1,5 +1,6 @@
 /** The browser keeps the work: through a reload at any moment, beside a second page, and with a word where it cannot. */
 import { expect, type Page, test } from '@playwright/test';
+import { keptWork } from './kept';
 import { openPortraitOfNumbers } from './portrait';
 
 const jaw = (page: Page) => page.getByRole('spinbutton', { name: 'Jaw, value' });
@@ -28,7 +29,7 @@ test('of two pages, the last to change something is kept whole', async ({ page, 
     await expect(name(second)).toHaveValue('first', { timeout: 2000 });
   }).toPass();
   await rename(second, 'second');
-  await second.waitForTimeout(600); // longer than the delay of a write
+  await expect.poll(async () => (await keptWork(second))?.history.present.name).toBe('second');
   await rename(page, 'first again');
   await page.reload();
   await expect(name(page)).toHaveValue('first again');

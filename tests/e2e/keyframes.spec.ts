@@ -23,6 +23,7 @@ test('the pose that is set becomes a keyframe at the playhead', async ({ page })
     await page.getByRole('main', { name: 'Stage' }).press('i');
     await expect(keyframe).toBeVisible();
     await expect(corners).toHaveValue('0.00');
+    await settled(page);
     expect(await pathData(page)).toEqual(smiling);
   });
 
@@ -52,7 +53,7 @@ test('the pose that is set becomes a keyframe at the playhead', async ({ page })
   await test.step('Delete takes it away, and undo brings it back', async () => {
     await keyframe.press('Delete');
     await expect(keyframe).toBeHidden();
-    expect(await pathData(page)).not.toEqual(smiling);
+    await expect.poll(() => pathData(page)).not.toEqual(smiling);
     await page.getByRole('button', { name: 'Undo' }).click();
     await expect(keyframe).toBeVisible();
   });

@@ -1,6 +1,7 @@
 /** What is under way when the page is reloaded goes on. */
-import { expect, type Page, test } from '@playwright/test';
+import { expect, test } from '@playwright/test';
 import { chooseFile, landmark, openEditor, tracingDone } from './editor';
+import { keptWork } from './kept';
 import { openPortraitOfNumbers } from './portrait';
 import { syllablesWav } from './sounds';
 
@@ -9,7 +10,7 @@ test('a reload while the face is looked for loses nothing', async ({ page }) => 
   await page.route('**/api/portraits/*/faces', () => {}); // a server that is slow to answer
   await page.getByRole('region', { name: 'Samples' }).getByRole('button').first().click();
   await expect(page.getByText('Looking for the face…')).toBeVisible();
-  await expect.poll(() => hasKeptWork(page)).toBe(true);
+  await expect.poll(() => keptWork(page)).not.toBeNull(); // a page that is left before has nothing to come back to
   await page.unroute('**/api/portraits/*/faces');
   await page.reload();
   await tracingDone(page);
@@ -21,7 +22,7 @@ test('a reload while the picture is sent loses nothing', async ({ page }) => {
   await page.route('**/api/portraits', () => {}); // a server that is slow to answer
   await page.getByRole('region', { name: 'Samples' }).getByRole('button').first().click();
   await expect(page.getByText('Sending the picture…')).toBeVisible();
-  await expect.poll(() => hasKeptWork(page)).toBe(true);
+  await expect.poll(() => keptWork(page)).not.toBeNull(); // a page that is left before has nothing to come back to
   await page.unroute('**/api/portraits');
   await page.reload();
   await tracingDone(page);
@@ -37,8 +38,8 @@ test('a reload while speech is listened to goes on with the work that the server
   const asked = page.waitForResponse('**/api/speech');
   await page.getByRole('button', { name: 'Choose a sound…' }).click();
   await (await dialog).setFiles({ name: 'syllables.wav', mimeType: 'audio/wav', buffer: syllablesWav() });
-  await asked;
-  await page.waitForTimeout(600); // longer than the delay of a write
+  const { id } = (await (await asked).json()) as { id: string };
+  await expect.poll(async () => (await keptWork(page))?.speech?.hearing?.jobId).toBe(id);
   await page.unroute('**/api/jobs/*/events');
   let asksAgain = 0;
   page.on('request', (request) => {
@@ -63,21 +64,3 @@ test('a portrait that was left for the first screen waits there, after a refused
   await page.getByRole('button', { name: 'Go on with “Numbers”' }).click();
   await expect(page.getByRole('spinbutton', { name: 'Jaw, value' })).toHaveValue('0.60');
 });
-
-/** A picture takes the browser a moment to store; a page that is left before has nothing to come back to. */
-function hasKeptWork(page: Page): Promise<boolean> {
-  return page.evaluate(
-    () =>
-      new Promise((resolve, reject) => {
-        const opening = indexedDB.open('vectortalker');
-        opening.onerror = () => reject(opening.error);
-        opening.onsuccess = () => {
-          const current = opening.result.transaction('pointer').objectStore('pointer').get('current');
-          current.onsuccess = () => {
-            opening.result.close();
-            resolve(current.result !== undefined);
-          };
-        };
-      }),
-  );
-}

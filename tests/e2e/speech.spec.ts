@@ -2,10 +2,12 @@
 import { readFile } from 'node:fs/promises';
 import { expect, type Locator, type Page, test } from '@playwright/test';
 import { ALL_FORMATS, BufferSource, Input } from 'mediabunny';
+import type { SpeechTrack } from '../../web/src/speech/speechTrack';
 import { expectNoViolations } from './axe';
 import { systemChromium } from './chromium.mjs';
 import { drag } from './editor';
 import { bestLag, watchLipsAndSound } from './inStep';
+import { keptWork } from './kept';
 import { portraitFile } from './portrait';
 import { SOUND_SECONDS, syllablesWav } from './sounds';
 
@@ -38,6 +40,12 @@ async function durations(video: Buffer): Promise<(number | undefined)[]> {
   return Promise.all(tracks.map(async (track) => track && Math.round(10 * (await track.computeDuration())) / 10)) as Promise<
     (number | undefined)[]
   >;
+}
+
+/** Of the track on the timeline, as the browser has stored it. */
+async function keptSpeech(page: Page): Promise<{ tier?: string; visemes?: number }> {
+  const track = (await keptWork(page))?.history.present.tracks[0] as SpeechTrack | undefined;
+  return { tier: track?.tier, visemes: track?.visemes?.length };
 }
 
 async function giveFile(page: Page, button: Locator, name: string, buffer: Buffer): Promise<void> {
@@ -116,7 +124,7 @@ test('a sound becomes a track that is heard, seen, edited, undone, kept and expo
 
   await test.step('a reload keeps sound and blocks', async () => {
     const before = await labels(page);
-    await page.waitForTimeout(600); // the save is put off for 250 ms
+    await expect.poll(() => keptSpeech(page)).toEqual({ tier: 'audio', visemes: before.length });
     await page.reload();
     await expect.poll(() => labels(page)).toEqual(before);
     await expect(page.getByRole('img', { name: 'Waveform' })).toBeVisible();
@@ -238,7 +246,7 @@ test('the microphone is recorded, spoken, and deleted with the portrait', async 
   await expect
     .poll(() => page.getByRole('meter', { name: 'Loudness of the microphone' }).evaluate((bar: HTMLMeterElement) => bar.value))
     .toBeGreaterThan(0.2);
-  await page.waitForTimeout(1200); // a beep or two of the fake microphone
+  await expect(page.getByText(/^[2-9]\.\d s$/)).toBeVisible(); // a beep or two of the fake microphone
   await page.getByRole('button', { name: 'Stop and use it' }).click();
   await expect(page.getByRole('combobox', { name: 'Track', exact: true })).toHaveValue(/Recording/);
   await expect(page.getByText('Lips from the sound alone.')).toBeVisible({ timeout: 60_000 });
