@@ -56,7 +56,7 @@ impl VertexSet {
         };
         set.add_part_anchors(face, landmarks, irises);
         set.add_lid_bands(face, landmarks, depth);
-        set.add_cheeks(landmarks, depth);
+        set.add_cheeks(face, landmarks, depth);
         set.add_head_rings(face, landmarks);
         set.add_neck(face, landmarks);
         set.add_still_anchors(face, extent);
@@ -168,15 +168,18 @@ impl VertexSet {
         }
     }
 
-    /// Cheeks that keep a moving jaw or mouth corner from pulling at the eyes.
-    fn add_cheeks(&mut self, landmarks: &Landmarks, depth: &[f64]) {
+    /// Cheeks that keep a moving jaw or mouth corner from pulling at the eyes. Large eyes reach down to where the upper ones
+    /// would be: a vertex beside a resting lid, moved by the mouth, would soon turn the triangle between them over.
+    fn add_cheeks(&mut self, face: &Face, landmarks: &Landmarks, depth: &[f64]) {
+        let least = LEAST_SPACING * face.eye_distance;
         for (jaw_high, jaw_low, nostril, corner) in [(2, 4, 31, 48), (14, 12, 35, 54)] {
-            let between =
-                |a: usize, b: usize| (landmarks[a].lerp(landmarks[b], 0.5), depth[a].midpoint(depth[b]) + 0.1);
-            let (high, z) = between(jaw_high, nostril);
-            self.add(high, 1.0, z, &[(corner, 0.2), (jaw_high, 0.2)]);
-            let (low, z) = between(jaw_low, corner);
-            self.add(low, 1.0, z, &[(corner, 0.5), (jaw_low, 0.5)]);
+            for (jaw, inner, share) in [(jaw_high, nostril, 0.2), (jaw_low, corner, 0.5)] {
+                let cheek = landmarks[jaw].lerp(landmarks[inner], 0.5);
+                if self.rest.iter().all(|vertex| vertex.distance(cheek) > least) {
+                    let z = depth[jaw].midpoint(depth[inner]) + 0.1;
+                    self.add(cheek, 1.0, z, &[(corner, share), (jaw, share)]);
+                }
+            }
         }
     }
 
@@ -248,6 +251,9 @@ const LASH_BAND: f64 = 0.3;
 const BROW_BAND: f64 = 0.1;
 /// Bands thinner than this (outer-eye distances) are left out.
 const MIN_BAND: f64 = 0.05;
+
+/// Distance that cheeks keep from other vertices, in outer-eye distances.
+const LEAST_SPACING: f64 = 0.05;
 
 /// Corners and edge midpoints of a rectangle.
 fn border(low: Point, high: Point) -> [Point; 8] {

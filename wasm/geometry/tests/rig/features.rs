@@ -108,3 +108,19 @@ fn slanting_eyes_under_low_brows_close_fully() {
         assert!(signed_area(outline).abs() < 1e-9);
     }
 }
+
+/// Lids of large drawn eyes reach down to the cheeks, which go with the mouth.
+#[test]
+fn mouth_below_large_eyes_rounds_fully() {
+    let mut landmarks = face(0.0);
+    let cheek = landmarks[2].lerp(landmarks[31], 0.5);
+    for (lower, upper) in [(41, 37), (40, 38)] {
+        // Where the band below the lid, three tenths of the eye's height from it, comes to lie a pixel from the cheek.
+        let depth = (cheek.y - 2.0 - landmarks[upper].y) / 1.3;
+        landmarks[lower] = Point::new(cheek.x + 1.0 + if lower == 40 { 15.0 } else { 0.0 }, landmarks[upper].y + depth);
+        landmarks[upper].x = landmarks[lower].x;
+    }
+    let rig = rig_of(landmarks, &[], Options::default());
+    let (_, limit) = rig.vertices(&Pose::of(&[(Channel::Jaw, 0.3), (Channel::Round, 1.0)]));
+    assert_eq!(limit.scale, 1.0);
+}
