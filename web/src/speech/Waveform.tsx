@@ -6,6 +6,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import type { Span } from '../api/schema';
 import { theme, timeSeconds } from '../store/state';
 import { seek } from '../timeline/playback';
+import type { Sound } from './decoding';
 import { peaksOf } from './envelope';
 import { sound } from './sound';
 import { selectedSpan } from './state';
@@ -25,9 +26,23 @@ export function Waveform(): JSX.Element {
       }),
     [],
   );
+  const scheme = useSignal(0);
+  useEffect(
+    () =>
+      observeScheme(() => {
+        scheme.value += 1;
+      }),
+    [],
+  );
   useSignalEffect(() => {
-    theme.value; // other colours
-    if (canvas.current && width.value > 0) draw(canvas.current, width.value, shownSpan.value);
+    const [span, heard, wide] = [shownSpan.value, sound.value, width.value];
+    theme.value;
+    scheme.value;
+    // In the next frame: the page has the colours of the theme by then.
+    const request = requestAnimationFrame(() => {
+      if (canvas.current && wide > 0) draw(canvas.current, wide, span, heard);
+    });
+    return () => cancelAnimationFrame(request);
   });
   const timeOf = (event: TargetedPointerEvent<HTMLElement>) =>
     timeAt(event.clientX, event.currentTarget.getBoundingClientRect(), shownSpan.value);
@@ -87,12 +102,11 @@ function spanBetween(a: number, b: number): Span | null {
 }
 
 /** One bar a device pixel, mirrored about the middle; the loudest of the clip fills the height. */
-function draw(canvas: HTMLCanvasElement, width: number, { start, end }: Span): void {
+function draw(canvas: HTMLCanvasElement, width: number, { start, end }: Span, heard: Sound | null): void {
   const context = canvas.getContext('2d');
   if (!context) return;
   canvas.width = Math.round(width * window.devicePixelRatio);
   canvas.height = Math.round(canvas.clientHeight * window.devicePixelRatio);
-  const heard = sound.value;
   if (!heard) return;
   context.fillStyle = getComputedStyle(canvas).color;
   const middle = canvas.height / 2;
@@ -101,6 +115,13 @@ function draw(canvas: HTMLCanvasElement, width: number, { start, end }: Span): v
     const half = Math.max(0.5, 0.95 * (peak / scale) * middle);
     context.fillRect(x, middle - half, 1, 2 * half);
   });
+}
+
+/** The system may turn from light to dark by itself, at dusk. */
+function observeScheme(onChange: () => void): () => void {
+  const query = matchMedia('(prefers-color-scheme: dark)');
+  query.addEventListener('change', onChange);
+  return () => query.removeEventListener('change', onChange);
 }
 
 function observeWidth(element: HTMLElement | null, onWidth: (width: number) => void): (() => void) | undefined {

@@ -57,6 +57,14 @@ describe('captionsOf', () => {
     for (const text of texts) expect(Math.abs(text.length - 66)).toBeLessThan(8);
   });
 
+  test('a long sentence is parted at a comma where one is near its middle', () => {
+    const sentence = 'I am a portrait, drawn again in a few hundred curves, and I can say whatever you like.';
+    expect(captionsOf(saying(sentence, null, 6)).map(({ text }) => text)).toEqual([
+      'I am a portrait, drawn again in a few hundred curves,',
+      'and I can say whatever you like.',
+    ]);
+  });
+
   test('cues follow each other and never overlap, however the pauses lie', () => {
     const spans = Array.from({ length: 12 }, (_, k) => [k, k + 0.3 + 0.1 * (k % 4)] as const);
     const cues = captionsOf(saying('A. Be. See. Dee! Eee? Eff. Gee. Aitch. Eye, eye, eye. Jay.', spans, 12));

@@ -12,6 +12,7 @@ export type Cue = { readonly start: number; readonly end: number; readonly text:
 type Span = { readonly start: number; readonly end: number };
 
 const MAX_CHARACTERS = 74; // two lines of 37, the measure of broadcast subtitles
+const COMMA_CHARACTERS = 16; // a piece may be so much longer or shorter to end at a comma
 const LEAST_PAUSE = 0.12; // seconds; shorter ones are closures within a word
 const SNAP_SECONDS = 0.6; // of speech: letters tell the time of a word about as well
 const LINGER_SECONDS = 0.8; // a piece stays in a pause, to be read to its end
@@ -35,25 +36,22 @@ export function webVtt(cues: readonly Cue[]): string {
   return ['WEBVTT\n', ...blocks].join('\n');
 }
 
-/** Sentences; long ones in even pieces of whole words. */
+/** Sentences; long ones in pieces. */
 function pieces(transcript: string, language: string): string[] {
   const text = transcript.replace(/\s+/g, ' ').trim();
-  return segments(text, language, 'sentence').flatMap((sentence) => evenly(sentence.trim(), language));
+  return segments(text, language, 'sentence').flatMap((sentence) => parted(sentence.trim(), language));
 }
 
-function evenly(sentence: string, language: string): string[] {
-  const count = Math.ceil(sentence.length / MAX_CHARACTERS);
-  const found: string[] = [];
-  let piece = '';
-  for (const word of segments(sentence, language, 'word')) {
-    const isFull = piece.length + word.length / 2 > sentence.length / count;
-    if (isFull && found.length < count - 1 && /[\p{L}\p{N}]/u.test(word)) {
-      found.push(piece.trim());
-      piece = '';
-    }
-    piece += word;
-  }
-  return [...found, piece.trim()].filter(Boolean);
+/** Pieces of whole words, about as long as each other, that end at a comma where one is near. */
+function parted(sentence: string, language: string): string[] {
+  if (sentence.length <= MAX_CHARACTERS) return sentence ? [sentence] : [];
+  const wanted = sentence.length / Math.ceil(sentence.length / MAX_CHARACTERS);
+  const words = segments(sentence, language, 'word');
+  const ends = runningSums(words.map(({ length }) => length));
+  const breaks = ends.filter((end, k) => end <= MAX_CHARACTERS && /[\p{L}\p{N}]/u.test(words[k + 1] ?? ''));
+  const cost = (end: number) => Math.abs(end - wanted) - (/[,;:–—]\s*$/.test(sentence.slice(0, end)) ? COMMA_CHARACTERS : 0);
+  const best = breaks.length > 0 ? breaks.reduce((a, b) => (cost(b) < cost(a) ? b : a)) : MAX_CHARACTERS;
+  return [sentence.slice(0, best).trim(), ...parted(sentence.slice(best).trim(), language)];
 }
 
 function segments(text: string, language: string, granularity: 'sentence' | 'word'): string[] {

@@ -72,6 +72,12 @@ export function cancelListening(): void {
   rest();
 }
 
+/** The words go with the portrait that says them. */
+export function leaveSpeech(): void {
+  cancelListening();
+  choices.value = { ...choices.value, transcript: '' };
+}
+
 function rest(): void {
   listening.value = { kind: 'idle' };
   hearing.value = null;

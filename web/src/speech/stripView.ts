@@ -4,17 +4,20 @@ import type { Span } from '../api/schema';
 import { playing, timeSeconds, track } from '../store/state';
 
 const START_SECONDS = 6; // blocks of speech are then wide enough to grab
+const WHOLE_SECONDS = 9; // a track that nearly fits is shown whole, in line with the curves below
 const LEAST_SECONDS = 0.5;
 const ZOOM_STEP = 1.5;
 
 const wantedFrom = signal(0);
-const wantedSeconds = signal(START_SECONDS);
+/** Null until somebody zooms. */
+const zoomedSeconds = signal<number | null>(null);
 
 const duration = computed(() => track.value?.duration ?? 0);
 
 /** The shown part, within the track. */
 export const shownSpan = computed<Span>(() => {
-  const seconds = Math.min(wantedSeconds.value, duration.value);
+  const wanted = zoomedSeconds.value ?? (duration.value > WHOLE_SECONDS ? START_SECONDS : duration.value);
+  const seconds = Math.min(wanted, duration.value);
   const start = Math.min(Math.max(0, wantedFrom.value), duration.value - seconds);
   return { start, end: start + seconds };
 });
@@ -24,7 +27,7 @@ export function zoomStrip(direction: 1 | -1, around: number): void {
   const { start, end } = shownSpan.value;
   const seconds = Math.min(Math.max((end - start) / ZOOM_STEP ** direction, LEAST_SECONDS), Math.max(LEAST_SECONDS, duration.value));
   wantedFrom.value = around - ((around - start) / (end - start)) * seconds;
-  wantedSeconds.value = seconds;
+  zoomedSeconds.value = seconds;
 }
 
 export function scrollStrip(bySeconds: number): void {

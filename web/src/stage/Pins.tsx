@@ -17,7 +17,7 @@ const NUDGES: Readonly<Record<string, Xy>> = { ArrowLeft: [-1, 0], ArrowRight: [
 export function Pins(): JSX.Element | null {
   const now = session.value;
   if (now.kind !== 'pinning') return null;
-  const fit = rigModuleReady.value ? fitPins(now.pins) : null;
+  const fit = fitOf(now.pins);
   return (
     <>
       <svg class="pins-ghost" aria-hidden="true">
@@ -26,10 +26,11 @@ export function Pins(): JSX.Element | null {
       {now.pins.map((pin, index) => (
         <Pin key={NAMES[index]} index={index} pin={pin} />
       ))}
-      <PinsCard noFaceFound={now.noFaceFound} fit={fit} pins={now.pins} />
     </>
   );
 }
+
+const fitOf = (pins: PinPoints): Landmarks | null => (rigModuleReady.value ? fitPins(pins) : null);
 
 function Pin({ index, pin }: { readonly index: number; readonly pin: Xy }): JSX.Element {
   const [left, top] = toScreen(view.value, stageSize.value, pin);
@@ -63,18 +64,15 @@ function Pin({ index, pin }: { readonly index: number; readonly pin: Xy }): JSX.
   );
 }
 
-function PinsCard({
-  noFaceFound,
-  fit,
-  pins,
-}: {
-  readonly noFaceFound: boolean;
-  readonly fit: Landmarks | null;
-  readonly pins: PinPoints;
-}): JSX.Element {
+/** What to do with the pins, among the messages of the stage. */
+export function PinsCard(): JSX.Element | null {
+  const now = session.value;
+  if (now.kind !== 'pinning') return null;
+  const { pins, noFaceFound } = now;
+  const fit = fitOf(pins);
   const spread = pins[1][0] > pins[0][0] && pins[4][0] > pins[3][0];
   return (
-    <section class="card pins-card" data-own-pointer aria-label="Five pins">
+    <section class="card pins-card" aria-label="Five pins">
       <p>
         {noFaceFound && <strong>No face found. </strong>}
         Put the five pins on the eyes, the tip of the nose and the mouth corners.

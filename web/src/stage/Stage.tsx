@@ -10,7 +10,7 @@ import { FaceBoxes } from './FaceBoxes';
 import { Hint } from './Hint';
 import { listenToHandleKeys } from './handleKeys';
 import { Insets } from './Insets';
-import { Pins } from './Pins';
+import { Pins, PinsCard } from './Pins';
 import { Progress } from './Progress';
 import { listenToPointers } from './pointer';
 import { startRendering } from './render';
@@ -61,6 +61,7 @@ export function Stage(): JSX.Element {
       <div class="stage-messages" data-own-pointer>
         <NoticeBar />
         <Progress />
+        <PinsCard />
       </div>
     </main>
   );

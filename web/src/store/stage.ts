@@ -1,6 +1,6 @@
 /** The work on one portrait as a whole: taken off the stage, and put onto it. */
 import { batch } from '@preact/signals';
-import { cancelListening } from '../speech/listening';
+import { leaveSpeech } from '../speech/listening';
 import { dismiss } from './notices';
 import {
   clips,
@@ -38,7 +38,7 @@ export function clearStage(): void {
 
 export function emptyStage(): void {
   leaveJob();
-  cancelListening();
+  leaveSpeech();
   dismiss();
   batch(() => {
     draft.value = null;

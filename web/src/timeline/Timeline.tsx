@@ -74,7 +74,7 @@ function Lanes({ disabled }: { readonly disabled: boolean }): JSX.Element | null
   return (
     <div class="lanes">
       <div class="lane-labels" aria-hidden="true">
-        {keyframesOf(current).length > 0 && <span>Keys</span>}
+        {keyframesOf(current).length > 0 && <span class="keys">Keys</span>}
         {lanes.value.map(({ label }) => (
           <span key={label}>{label}</span>
         ))}
