@@ -23,6 +23,7 @@ LEAST_COVERAGE = 1e-3  # a quarter of a level of 255
 CONFINEMENT = 0.5  # weight of fore paint over scenery, against 1 for a squared error of the picture
 WHOLENESS = 0.3  # weight of the fore layer alone inside its silhouette
 HIDDEN_WEIGHT = 0.15  # of what another layer hides at rest: it shows only when the head or a lid moves
+BALL_WEIGHT = 1.0  # of the eyeball under its iris: every glance shows it, and irises get no holes that it fills at rest
 LID_WEIGHT = 0.5  # of skin under the openings: every blink shows it …
 UNSETTLED_WEIGHT = 0.05  # … but where it begins, an edge of paths would be spent on what hardly shows
 SETTLED_DEPTH = 3.0  # px behind the first whole one of an opening from which skin has its whole weight
@@ -143,7 +144,7 @@ def layered_level(
     sheets = (
         _sheet(FORE, back, back_weight, back_weight, groups + BACK),
         _sheet(LID, behind_local, fore_weight, fore_weight, groups + FORE),
-        _sheet(FIRST_IRIS, resize(images.ball, frame), HIDDEN_WEIGHT * discs * opening, 0 * mask, groups + FIRST_LOCAL),
+        _sheet(FIRST_IRIS, resize(images.ball, frame), BALL_WEIGHT * discs * opening, 0 * mask, groups + FIRST_LOCAL),
         _sheet(TOP, smoothed, merged_weight, opening * emphasis, _nearest(images.parts, frame), *_local_quota(opening)),
     )
     completion = _completion(images, frame) if opening.any() else None
