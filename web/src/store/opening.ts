@@ -116,6 +116,7 @@ export function leavePortrait(): void {
 export function stopSending({ before }: Uploading): void {
   startOpening();
   session.value = before;
+  if (before.kind === 'finding') void resumeOpening();
 }
 
 export function returnToPortrait(): void {
