@@ -75,6 +75,13 @@ def test_hidden_parts_are_completed_by_their_surroundings(images: LayerImages, p
     assert ball.target[50, 48].min() > 0.8
 
 
+def test_eyeball_under_its_iris_counts_as_what_is_seen(images: LayerImages, picture: np.ndarray) -> None:
+    """Counted less, the ball is painted as the iris, which keeps a hole there when it moves."""
+    weight = layered_level(images, picture, (), CANVAS).sheets[2].weight
+    assert weight[50, 48] == 1
+    assert weight[50, 38] == 0, "beside the iris the picture shows it"
+
+
 def test_each_layer_claims_its_own_pixels(images: LayerImages, picture: np.ndarray) -> None:
     level = layered_level(images, picture, (), CANVAS)
     back, fore, _, local = level.sheets
