@@ -18,6 +18,8 @@ from vectortalker.patch import Patch
 from vectortalker.schema import LocalPath, Part, SolidFill
 
 SEGMENTS = 8
+EYES: tuple[Part, Part] = ("left_eye", "right_eye")
+MOUTH = 2  # index of its opening
 # The rig binds a cavity to the lips around it: a closed mouth's to the outer ones, which always hold the opening.
 OUTER_LIP_ANCHORS = ((48, 48), (49, 50), (51, 51), (52, 53), (54, 54), (55, 56), (57, 57), (58, 59))
 INNER_LIP_ANCHORS = tuple((landmark, landmark) for landmark in range(60, 68))
@@ -67,9 +69,9 @@ def mouth_interior(points: NDArray[np.float64], rgb: NDArray[np.uint8]) -> list[
 
     None for an open mouth without a whole pixel: it has no colour of its own.
     """
-    mouth = next(outline for outline in core.opening_outlines(points) if outline[0] == "mouth")
-    if not mouth[2]:
-        inside = core.coverage(mouth[1].astype(np.float32), rgb.shape[1], rgb.shape[0]) > 0.5
+    _, outline, closed = core.opening_outlines(points)[MOUTH]
+    if not closed:
+        inside = _inside(outline, rgb)
         if not inside.any():
             return []
         return [_cavity(points, INNER_LIP_ANCHORS, OPEN_CAVITY_GROWTH, cavity_colour(rgb, inside))]
@@ -83,11 +85,11 @@ def smile_floor(points: NDArray[np.float64], rgb: NDArray[np.uint8]) -> list[Pat
 
     The teeth of a smile stay with the skull when the jaw drops, and their paths go on below the lip that hid them.
     """
-    mouth = next(outline for outline in core.opening_outlines(points) if outline[0] == "mouth")
-    width, gape = np.ptp(mouth[1], axis=0)
+    _, outline, closed = core.opening_outlines(points)[MOUTH]
+    width, gape = np.ptp(outline, axis=0)
     across = points[RIGHT_CORNER] - points[LEFT_CORNER]
-    inside = core.coverage(mouth[1].astype(np.float32), rgb.shape[1], rgb.shape[0]) > 0.5
-    if mouth[2] or gape > MOST_SMILE_GAPE * width or not inside.any():
+    inside = _inside(outline, rgb)
+    if closed or gape > MOST_SMILE_GAPE * width or not inside.any():
         return []
     down = np.array([-across[1], across[0]])
     lip = points[[60, 67, 66, 65, 64]] + FLOOR_GAP * down
@@ -99,17 +101,19 @@ def smile_floor(points: NDArray[np.float64], rgb: NDArray[np.uint8]) -> list[Pat
 def eyeballs(points: NDArray[np.float64], rgb: NDArray[np.uint8]) -> list[LocalPath]:
     """A disc of the eye's white for each open eye, to put beneath what the picture shows of it."""
     balls = []
-    parts: dict[str, Part] = {"left_eye": "left_eye", "right_eye": "right_eye"}
-    for name, outline, closed in core.opening_outlines(points):
-        if name not in parts or closed:
-            continue
-        inside = core.coverage(outline.astype(np.float32), rgb.shape[1], rgb.shape[0]) > 0.5
-        if inside.any():
+    for part, (_, outline, closed) in zip(EYES, core.opening_outlines(points), strict=False):
+        inside = _inside(outline, rgb)
+        if not closed and inside.any():
             low, high = outline.min(axis=0), outline.max(axis=0)
             radius = BALL_SCALE * (high[0] - low[0]) / 2
             ring = (low + high) / 2 + radius * _unit_ring(2.0)
-            balls.append(_closed_path(parts[name], ring, _white(rgb, inside)))
+            balls.append(_closed_path(part, ring, _white(rgb, inside)))
     return balls
+
+
+def _inside(outline: Array, rgb: NDArray[np.uint8]) -> NDArray[np.bool_]:
+    """Pixels [H, W] that an outline covers by more than half."""
+    return core.coverage(outline.astype(np.float32), rgb.shape[1], rgb.shape[0]) > 0.5
 
 
 def _mouth_colours(points: Array, rgb: NDArray[np.uint8]) -> dict[Part, Array]:

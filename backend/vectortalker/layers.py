@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation, distance_transform_edt
 
 from vectortalker.inpaint import fill
-from vectortalker.interior import cavity_colour
+from vectortalker.interior import MOUTH, cavity_colour
 from vectortalker.irises import SeenIris, light_part, radius_map
 from vectortalker.oklab import to_srgb
 
@@ -28,7 +28,6 @@ BALL_GROWTH = 0.35  # of an opening's width: how far the eyeball and the mouth i
 IRIS_RINGS = 12
 IRIS_EDGE = 1.1  # the limbus and its blur end at this radius
 MIN_KNOWN_PX = 6
-MOUTH = 2  # index of its opening
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt, maximum_filter, minimum_filter
 
 from vectortalker.inpaint import fill
-from vectortalker.interior import MOST_SMILE_GAPE
+from vectortalker.interior import MOST_SMILE_GAPE, MOUTH
 from vectortalker.irises import CORE, light_part, radius_map, seen_iris
 from vectortalker.landmarks.ibug import IrisDisc
 from vectortalker.layers import LayerTargets, targets
@@ -36,7 +36,6 @@ EMPHASIS_MARGIN = 0.3  # of a feature's width around its landmarks
 EDGE_MARGIN = 0.012  # of the long side: fore paths may reach this far over the silhouette
 FIRST_PART = (0, 1, 4)  # part of a path seeded in the left eye's, right eye's and mouth's opening
 IRIS_PART = (2, 3)
-MOUTH = 2  # index of its opening
 LOWER_TEETH, UPPER_TEETH = 5, 7
 LEAST_TEETH_CONTRAST = 0.25  # of lightness within an open mouth; below it no teeth are told from the rest
 MOST_TEETH_CHROMA = 0.35  # largest minus least channel: lips and tongue have more
