@@ -7,6 +7,7 @@ from collections.abc import Generator
 import numpy as np
 import pytest
 from vectortalker import metrics
+from vectortalker.bench.portraits import REPOSITORY, sitters
 from vectortalker.decode import Portrait, canonical
 from vectortalker.errors import VectorTalkerError
 from vectortalker.schema import VectorizeOptions
@@ -81,6 +82,15 @@ def test_progress_grows_and_every_level_shows_a_scene(finished: tuple[list[Progr
 
 def test_result_does_not_depend_on_the_number_of_threads(portrait: Portrait) -> None:
     one, many = (run(vectorize(portrait, None, options(), threads=threads))[1].svg for threads in (1, 3))
+    assert one == many
+
+
+def test_layers_do_not_depend_on_it_either() -> None:
+    """Single layers are looked at beside the whole, by threads of their own."""
+    (sitter,) = sitters([REPOSITORY / "public/samples/mona-lisa.jpg"])
+    tiny = options(paths=24, levels=2, iterations=10, final_iterations=10, layers=True)
+    runs = (vectorize(sitter.portrait, sitter.landmarks, tiny, threads=threads) for threads in (1, 3))
+    one, many = (run(steps)[1].svg for steps in runs)
     assert one == many
 
 

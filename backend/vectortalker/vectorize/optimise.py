@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Iterator
 from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass, replace
 
@@ -56,7 +56,7 @@ def optimise(
     threads: int,
     finish_early: Callable[[], bool],
 ) -> Generator[Step, None, Step]:
-    """Run the levels after `start` and return the last step; `level_at` makes a level's targets when its turn comes."""
+    """Run the levels after `start` and return the last step; `level_at` makes a level's targets, one level ahead."""
     with ThreadPoolExecutor(1) as beside:
         return (yield from _levels(level_at, plans, settings, start, threads, finish_early, beside))
 
@@ -74,9 +74,8 @@ def _levels(
     total = sum(level_plan.iterations for level_plan in plans)
     population, done = start.population, start.iterations
     step = Step(population, start.levels, done, picture=False, level_done=False)
-    for index in range(start.levels, len(plans)):
+    for index, level in enumerate(_one_ahead(level_at, plans, start.levels, threads, beside), start.levels):
         level_plan, last = plans[index], index == len(plans) - 1
-        level = level_at(index, level_plan)
         generator = np.random.default_rng((settings.seed, index))
         if index:
             population = rescale(population, plans[index - 1].frame, level_plan.frame)
@@ -104,6 +103,18 @@ def _levels(
                 if finish_early():
                     return step
     return step
+
+
+def _one_ahead(
+    level_at: Callable[[int, LevelPlan], Level], plans: list[LevelPlan], first: int, threads: int, beside: Executor
+) -> Iterator[Level]:
+    """Levels from number `first` on; while one is fitted, the next is made, unless one thread is to do everything."""
+    coming: Future[Level] | None = None
+    for index in range(first, len(plans)):
+        level = coming.result() if coming else level_at(index, plans[index])
+        ahead = threads != 1 and index + 1 < len(plans)
+        coming = beside.submit(level_at, index + 1, plans[index + 1]) if ahead else None
+        yield level
 
 
 def _fidelity(ingredients: Ingredients, i: int, iterations: int, last: bool, threads: int) -> Fidelity:
