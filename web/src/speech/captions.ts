@@ -21,7 +21,7 @@ const LINGER_SECONDS = 0.8; // a piece stays in a pause, to be read to its end
 export function captionsOf(track: Track | null): Cue[] {
   const choices = choicesOf(track);
   if (!track || !choices) return [];
-  const texts = pieces(choices.transcript, choices.options.language);
+  const texts = pieces(choices.transcript);
   const spans = spokenSpans(blocksOf(track), track.duration);
   return texts.length > 0 && spans.length > 0 ? timed(texts, spans, track.duration) : [];
 }
@@ -37,26 +37,26 @@ export function webVtt(cues: readonly Cue[]): string {
 }
 
 /** Sentences; long ones in pieces. */
-function pieces(transcript: string, language: string): string[] {
+function pieces(transcript: string): string[] {
   const text = transcript.replace(/\s+/g, ' ').trim();
-  return segments(text, language, 'sentence').flatMap((sentence) => parted(sentence.trim(), language));
+  return segments(text, 'sentence').flatMap((sentence) => parted(sentence.trim()));
 }
 
 /** Pieces of whole words, about as long as each other, that end at a comma where one is near. */
-function parted(sentence: string, language: string): string[] {
+function parted(sentence: string): string[] {
   if (sentence.length <= MAX_CHARACTERS) return sentence ? [sentence] : [];
   const wanted = sentence.length / Math.ceil(sentence.length / MAX_CHARACTERS);
-  const words = segments(sentence, language, 'word');
+  const words = segments(sentence, 'word');
   const ends = runningSums(words.map(({ length }) => length));
   const breaks = ends.filter((end, k) => end <= MAX_CHARACTERS && /[\p{L}\p{N}]/u.test(words[k + 1] ?? ''));
   const cost = (end: number) => Math.abs(end - wanted) - (/[,;:–—]\s*$/.test(sentence.slice(0, end)) ? COMMA_CHARACTERS : 0);
   const best = breaks.length > 0 ? breaks.reduce((a, b) => (cost(b) < cost(a) ? b : a)) : MAX_CHARACTERS;
-  return [sentence.slice(0, best).trim(), ...parted(sentence.slice(best).trim(), language)];
+  return [sentence.slice(0, best).trim(), ...parted(sentence.slice(best).trim())];
 }
 
-function segments(text: string, language: string, granularity: 'sentence' | 'word'): string[] {
-  const [known] = Intl.Segmenter.supportedLocalesOf(language);
-  return Array.from(new Intl.Segmenter(known, { granularity }).segment(text), ({ segment }) => segment);
+/** By the rules of Unicode, which are the same for nearly all languages; scripts without spaces are parted by dictionaries of the browser. */
+function segments(text: string, granularity: 'sentence' | 'word'): string[] {
+  return Array.from(new Intl.Segmenter('en', { granularity }).segment(text), ({ segment }) => segment);
 }
 
 /** Where the lips move; all of the track where nothing is known of them. */
