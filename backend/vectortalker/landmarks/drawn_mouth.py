@@ -12,7 +12,7 @@ from scipy.ndimage import binary_dilation, binary_fill_holes, distance_transform
 from skimage.morphology import disk
 
 from vectortalker.landmarks.ibug import outer_eye_distance
-from vectortalker.landmarks.islands import SIDE, Mask, Square, flat_skin, island, square_at
+from vectortalker.landmarks.islands import SIDE, Array, Mask, Square, flat_skin, island, square_at
 
 REACH = 1.1  # side of the square in which the mouth is looked for, outer-eye distances
 MOUTH = slice(48, 68)
@@ -28,8 +28,6 @@ MIDDLE = (25, 75)  # percentiles of its pixels, across and along
 LINE = (0.02, 0.35)  # share of the middle that a line between two shut lips takes
 LEAST_STROKE = 0.7  # share of pixels as deep within the mouth that are dark, if its outline is that thick
 MOST_STROKE = 0.08  # of the mouth's width
-
-Array = NDArray[np.float64]
 
 
 def drawn_mouth(rgb: NDArray[np.uint8], points: Array) -> Array | None:
