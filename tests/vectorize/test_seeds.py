@@ -61,6 +61,17 @@ def test_coherent_energy_prefers_a_faint_patch_to_strong_texture() -> None:
     assert energy[:, 45:].max() > 10 * energy[10:30, 5:35].max()
 
 
+@pytest.mark.parametrize(
+    "owned", [(slice(0, 0), slice(0, 0)), (slice(3, 9), slice(60, 80)), (slice(0, 40), slice(20, 21))]
+)
+def test_coherent_energy_of_a_part_is_that_of_the_whole_picture(owned: tuple[slice, slice]) -> None:
+    residual = np.random.default_rng(0).normal(size=(40, 80, 3)).astype(np.float32)
+    weight = np.zeros((40, 80), np.float32)
+    weight[owned] = 1
+    whole = core.coherent_energy(residual, weight, 4)  # a radius of 5 px averages over 4 on each side
+    np.testing.assert_allclose(coherent_energy(residual, weight, 5.0), whole, atol=1e-12)
+
+
 def test_error_samples_fall_only_where_there_is_error() -> None:
     energies = np.zeros((2, 10, 10), np.float32)
     energies[1, 2:4, 5:7] = 1

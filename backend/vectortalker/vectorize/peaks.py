@@ -13,9 +13,15 @@ SPACING = 1.3  # least distance of two centres of one sheet, in radii
 def coherent_energy(residual: NDArray[np.float32], weight: NDArray[np.float32], radius: float) -> NDArray[np.float32]:
     """|box mean of the weighted signed residual|², [H, W], of `residual` [H, W, 3] and `weight` [H, W].
 
-    Texture averages out; an area of one wrong colour stays.
+    Texture averages out; an area of one wrong colour stays. Only what a box with any weight reaches is looked at.
     """
-    return core.coherent_energy(residual, weight, max(0, round(BLUR * radius)))
+    reach, energy = max(0, round(BLUR * radius)), np.zeros_like(weight)
+    rows, columns = (np.flatnonzero(weight.any(axis=axis)) for axis in (1, 0))
+    if len(rows):
+        near = tuple(slice(max(0, some[0] - reach), some[-1] + reach + 1) for some in (rows, columns))
+        seen = (np.ascontiguousarray(image[near]) for image in (residual, weight))
+        energy[near] = core.coherent_energy(*seen, reach)
+    return energy
 
 
 def greedy_maxima(
