@@ -94,7 +94,8 @@ def detach_fore(
     """`times` the gradients of what makes the fore layer whole by itself: L_fore of supplement B.
 
     The fore paths alone are painted over a `screen` colour f32 [3]: inside the silhouette none of it may show, outside
-    it must stay as it is. With another random screen every time, no colour is a hiding place.
+    it must stay as it is. With black and white in turn no colour is a hiding place, and the mean of a few steps has no
+    noise, which random screens would leave in every fore path.
     """
     fore = slice(population.below(FORE), population.below(LID))
     height, width = silhouette.inside.shape

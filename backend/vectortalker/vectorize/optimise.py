@@ -153,7 +153,7 @@ def _iterate(
     """One step of Adam and, where the schedule says so, a re-allocation of the least important paths after it."""
     ingredients = RECIPES[settings.recipe]
     moving = iteration.moved_radius is not None
-    asides = _start_asides(population, level, iteration, generator, beside)
+    asides = _start_asides(population, level, iteration, beside)
     result = evaluate(population, level, iteration.fidelity, importance=moving)
     for aside in asides:
         aside.result().add_to(result.gradients)
@@ -166,19 +166,18 @@ def _iterate(
     return seed(kept, level, len(weak), iteration.moved_radius, ingredients, gradient, iteration.fidelity, generator)
 
 
-def _start_asides(
-    population: Population, level: Level, iteration: _Iteration, generator: np.random.Generator, beside: Executor
-) -> list[Future[Aside]]:
+def _start_asides(population: Population, level: Level, iteration: _Iteration, beside: Executor) -> list[Future[Aside]]:
     """Passes over single layers, which the fused pass cannot see, if it is their turn; they run beside it.
 
-    With one thread they are over when this returns.
+    They end when rates fall: layers are whole by then, and the picture gets the last steps for itself. With one thread
+    they are over when this returns.
     """
     threads = iteration.fidelity.threads
     asides: list[Future[Aside]] = []
-    if iteration.number % ASIDE_EVERY:
+    if iteration.number % ASIDE_EVERY or iteration.rate < 1:
         return asides
     if level.silhouette is not None:
-        screen = generator.random(3, dtype=np.float32)
+        screen = np.full(3, iteration.number // ASIDE_EVERY % 2, np.float32)
         asides.append(beside.submit(detach_fore, population, level.silhouette, screen, ASIDE_EVERY, threads))
     if level.completion is not None:
         aside = beside.submit(complete_local, population, level.completion, level.frame, ASIDE_EVERY, threads)
