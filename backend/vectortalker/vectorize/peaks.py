@@ -19,8 +19,8 @@ def coherent_energy(residual: NDArray[np.float32], weight: NDArray[np.float32], 
     rows, columns = (np.flatnonzero(weight.any(axis=axis)) for axis in (1, 0))
     if len(rows):
         near = tuple(slice(max(0, some[0] - reach), some[-1] + reach + 1) for some in (rows, columns))
-        seen = (np.ascontiguousarray(image[near]) for image in (residual, weight))
-        energy[near] = core.coherent_energy(*seen, reach)
+        error, share = np.ascontiguousarray(residual[near]), np.ascontiguousarray(weight[near])
+        energy[near] = core.coherent_energy(error, share, reach)
     return energy
 
 
