@@ -40,15 +40,15 @@ class Tears:
         self._rest = maximum_filter(on_both(self._fore, rigged.rest)[1], NEIGHBOURS)
 
     def count(self, points: Points, vertices: Points) -> int:
-        """Pixels of the frame `points` [N, 2] of `vertices` [V, 2], enclosed by the fore layer, that let through more
-        than their resting places do by a sixteenth; where covers still a lid, the pixel itself is its resting place.
+        """Pixels of the frame `points` [N, 2] of `vertices` [V, 2], enclosed by fore paint, that let the back through
+        by a sixteenth more than their resting places, which hide it; skin that a cover stills rests where it is.
         """
         now = on_both(self._fore, points)[1]
         places = resting_places(self._rig, vertices, self._scale, now.shape)
         columns, rows = (places[..., axis].clip(0, now.shape[1 - axis] - 1) for axis in (0, 1))
-        at_rest = self._rest[rows, columns]
+        at_rest = np.maximum(self._rest[rows, columns], self._rest)
         enclosed = np.asarray(binary_fill_holes(now <= SEES_THROUGH), bool)
-        return int((enclosed & (now - np.maximum(at_rest, self._rest) > SEES_THROUGH)).sum())
+        return int((enclosed & (at_rest <= SEES_THROUGH) & (now - at_rest > SEES_THROUGH)).sum())
 
 
 def on_both(renderers: list[FrameRenderer], points: Points) -> tuple[Picture, SeeThrough]:
