@@ -23,8 +23,8 @@ impl RestFace {
     /// # Errors
     /// `RigError::Landmarks` when an iris or a depth is not finite; `Face::measure` asks the landmarks themselves.
     fn check(&self) -> Result<(), RigError> {
-        let in_sight = |iris: &Iris| iris.centre.is_finite() && iris.radius.is_finite();
-        if !self.irises.iter().flatten().all(in_sight) {
+        let is_finite = |iris: &Iris| iris.centre.is_finite() && iris.radius.is_finite();
+        if !self.irises.iter().flatten().all(is_finite) {
             return Err(RigError::Landmarks("an iris is not a finite disc".into()));
         }
         match self.depth.iter().flatten().position(|z| !z.is_finite()) {
