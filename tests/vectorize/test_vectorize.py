@@ -80,6 +80,13 @@ def test_progress_grows_and_every_level_shows_a_scene(finished: tuple[list[Progr
     assert {report.level for report in reports if report.scene is not None} == {1, 2, 3}
 
 
+def test_scene_of_a_report_is_that_of_its_time(portrait: Portrait) -> None:
+    """It is made when it is first asked for: at once in one run, after all iterations in the other."""
+    asked = [report.scene for report in vectorize(portrait, None, options())]
+    kept, _ = run(vectorize(portrait, None, options()))
+    assert asked == [report.scene for report in kept]
+
+
 def test_result_does_not_depend_on_the_number_of_threads(portrait: Portrait) -> None:
     one, many = (run(vectorize(portrait, None, options(), threads=threads))[1].svg for threads in (1, 3))
     assert one == many

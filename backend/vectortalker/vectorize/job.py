@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Generator
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -104,17 +105,23 @@ def _report(
     targets: Targets,
 ) -> Progress:
     total = sum(level.iterations for level in plans)
-    shown = take(step.population, np.arange(len(step.population))) if step.picture else None  # the original moves on
-    level = plans[step.level_index].frame
     return Progress(
         stage=f"level {step.level_index + 1} of {settings.levels}",
         level=step.level_index + 1,
         levels=settings.levels,
         n_paths=_n_paths(step, targets),
         fraction=PREPARED + (OPTIMISED - PREPARED) * step.iteration / total,
-        compose=(lambda: compose(shown, level, frame, portrait, targets)) if shown else None,
+        compose=_later(step, plans, frame, portrait, targets) if step.picture else None,
         checkpoint=checkpoint(step, settings) if step.level_done else None,
     )
+
+
+def _later(
+    step: Step, plans: list[LevelPlan], frame: Frame, portrait: Portrait, targets: Targets
+) -> Callable[[], Scene]:
+    """Composes the step's scene when it is called, wherever its paths have moved by then."""
+    paths = take(step.population, np.arange(len(step.population)))
+    return partial(compose, paths, plans[step.level_index].frame, frame, portrait, targets)
 
 
 def _measure(
