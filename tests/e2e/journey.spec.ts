@@ -6,7 +6,7 @@ import { hasCorner, movedPoints, movedRegion, movedTriangles, standing } from '.
 import { difference } from './pixels';
 
 // Of 255. The browser's antialiasing of an outline depends on what else crosses the same row of pixels (19 was seen): pixels say
-// only that nothing large changed elsewhere, control points say that nothing moved.
+// only that nothing large changed elsewhere, points of the curves say that nothing moved.
 const LARGE = 64;
 
 test('a sample becomes a layered SVG, is posed, played, reloaded and exported', async ({ page }) => {

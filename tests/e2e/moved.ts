@@ -48,10 +48,13 @@ export function hasCorner(triangle: string, { x, y }: Point): boolean {
   return [0, 2, 4].some((k) => Math.hypot(numbers[k] - x, numbers[k + 1] - y) < 1);
 }
 
-/** How many control points moved, and those among them that stood outside a region (path data, pixels of the stage) at rest. */
+/**
+ * How many points of outlines moved, and those among them that stood outside a region (path data, pixels of the stage) at rest. Handles
+ * may stand outside the triangle that their curve lies in, so it is the curves that are asked.
+ */
 export async function movedPoints(page: Page, rest: readonly string[], posed: readonly string[], region: string) {
   const moves = rest.flatMap((d, index) => {
-    const [from, to] = [controlPoints(d), controlPoints(posed[index])];
+    const [from, to] = [curvePoints(d), curvePoints(posed[index])];
     if (from.length !== to.length) throw new Error(`path ${index} has ${to.length} points, had ${from.length} at rest`);
     return from.filter(({ x, y }, at) => Math.hypot(to[at].x - x, to[at].y - y) > ROUNDING);
   });
@@ -73,16 +76,25 @@ export async function movedPoints(page: Page, rest: readonly string[], posed: re
   return { count: moves.length, outside };
 }
 
+const SAMPLES = 8; // of each cubic
 const ROUNDING = 1e-3; // portrait pixels, the sum of a path's relative steps in floating point
 
-/** Control points of path data as the rig writes it: `M`, relative cubics after one `c`, `z`. */
-function controlPoints(d: string): Point[] {
+/** Points along path data as the rig writes it: `M`, relative cubics after one `c`, `z`. */
+function curvePoints(d: string): Point[] {
   if (!/^M[^a-z]*c[^a-z]*z$/i.test(d)) throw new Error(`path data of another form: ${d.slice(0, 80)}`);
   const numbers = (d.match(/-?(\d+\.?\d*|\.\d+)/g) ?? []).map(Number);
-  const points: Point[] = [{ x: numbers[0], y: numbers[1] }];
+  const points: Point[] = [];
+  let anchor: Point = { x: numbers[0], y: numbers[1] };
   for (let at = 2; at < numbers.length; at += 6) {
-    const { x, y } = points[points.length - 1];
-    for (const k of [at, at + 2, at + 4]) points.push({ x: x + numbers[k], y: y + numbers[k + 1] });
+    const [c1, c2, end] = [at, at + 2, at + 4].map((k) => ({ x: anchor.x + numbers[k], y: anchor.y + numbers[k + 1] }));
+    for (let k = 0; k < SAMPLES; k += 1) points.push(onCubic([anchor, c1, c2, end], k / SAMPLES));
+    anchor = end;
   }
   return points;
+}
+
+function onCubic([p0, p1, p2, p3]: readonly Point[], t: number): Point {
+  const weights = [(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t ** 2 * (1 - t), t ** 3];
+  const sum = (of: (p: Point) => number) => [p0, p1, p2, p3].reduce((total, p, k) => total + weights[k] * of(p), 0);
+  return { x: sum(({ x }) => x), y: sum(({ y }) => y) };
 }
