@@ -1,7 +1,6 @@
 /** What is said can be read: on the stage, on exported pages, in videos, and as a file of its own. */
 import { readFile, writeFile } from 'node:fs/promises';
 import { expect, type Page, test } from '@playwright/test';
-import { ALL_FORMATS, BufferSource, Input } from 'mediabunny';
 import { openPortraitOfNumbers, speakingPortraitFile } from './portrait';
 import { SOUND_SECONDS } from './sounds';
 
@@ -80,6 +79,22 @@ for (const { label, marks } of [
   test(`${label} carries them as a track`, async ({ page }) => {
     const { data } = await exported(page, label);
     for (const text of [...marks, 'Ba, ba &amp; no more.', 'Ba, ba, ba, &lt;b&gt;ba']) expect(data.includes(text), text).toBe(true);
-    const video = await new Input({ source: new BufferSource(data), formats: ALL_FORMATS }).getPrimaryVideoTrack();
-    expect(await video?.computeDuration()).toBeCloseTo(SOUND_SECONDS, 1);
+    expect(await playedSeconds(page, data)).toBeCloseTo(SOUND_SECONDS, 1);
   });
+
+/** The length of a video that the browser has played to its end. */
+function playedSeconds(page: Page, video: Buffer): Promise<number> {
+  return page.evaluate(async (base64) => {
+    const element = document.createElement('video');
+    element.muted = true;
+    element.playbackRate = 8;
+    const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+    element.src = URL.createObjectURL(new Blob([bytes]));
+    await new Promise((resolve, reject) => {
+      element.onended = resolve;
+      element.onerror = () => reject(element.error);
+      element.play().catch(reject);
+    });
+    return element.currentTime;
+  }, video.toString('base64'));
+}
