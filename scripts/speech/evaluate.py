@@ -17,11 +17,9 @@ import numpy as np
 from phone_sets import RADIO, ipa
 from vectortalker.errors import VectorTalkerError
 from vectortalker.speech import Options, as_landmarks, track_from_blocks
-from vectortalker.speech.alignment import align
 from vectortalker.speech.coarticulation import FPS, Blend, articulate
-from vectortalker.speech.decoding import decode
 from vectortalker.speech.features import levels, log_mels, normalised
-from vectortalker.speech.listening import weighted
+from vectortalker.speech.listening import blocks_heard
 from vectortalker.speech.network import Heard, hear
 from vectortalker.speech.transcript import words_of
 from vectortalker.speech.visemes import SILENCE, VISEMES, Block, blocks_of_phones, classes_at
@@ -169,16 +167,13 @@ def heard_in(clip: Clip) -> Heard:
 
 
 def by_network(clip: Clip) -> list[Block]:
-    heard = heard_in(clip)
-    return weighted(decode(heard.log_posteriors), heard)
+    return blocks_heard(heard_in(clip), None)
 
 
 def by_transcript(clip: Clip) -> list[Block]:
     heard = heard_in(clip)
     try:
-        return weighted(
-            align(heard.log_posteriors, words_of(clip.text, LANGUAGES.get(clip.language, clip.language))), heard
-        )
+        return blocks_heard(heard, words_of(clip.text, LANGUAGES.get(clip.language, clip.language)))
     except VectorTalkerError as error:
         print(f"  {clip.voice}: {error.message}")
         return []
@@ -212,8 +207,8 @@ def closed_without_speech(samples: np.ndarray) -> float:
     """Share of frames with closed lips."""
     frames = log_mels([samples.astype(np.float32)])
     heard = hear(fitted(normalised(frames)))
-    blocks = weighted(decode(heard.log_posteriors), heard)
-    track = track_from_blocks(blocks, levels(frames)[::2][: len(heard.articulators)].astype(float), Options(), "none")
+    loudness = levels(frames)[::2][: len(heard.articulators)].astype(float)
+    track = track_from_blocks(blocks_heard(heard, None), loudness, Options(), "none")
     return float((lip_gap(as_landmarks(track).landmarks) < CLOSED).mean())
 
 

@@ -24,7 +24,7 @@ def marked(speaker: str, accent: str, texts: list[str], sounds: Iterable[np.ndar
     for text, samples, words in zip(texts, sounds, pronounced(texts, accent), strict=True):
         heard = hear(fitted(normalised(log_mels([samples]))))
         try:
-            blocks = align(heard.log_posteriors, words)
+            blocks = align(heard.log_posteriors, heard.edges, words)
         except VectorTalkerError:
             continue
         yield Utterance(speaker, accent, text, RATE, samples, blocks)

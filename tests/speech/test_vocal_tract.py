@@ -29,7 +29,8 @@ def test_stretch_of_least_doubt_is_taken_where_somebody_speaks(monkeypatch: pyte
         logits = np.zeros((len(frames) // 2, len(VISEMES)))
         logits[:, 0 if is_silent else 10] = 9 if is_silent else 8 - away
         log_posteriors = logits - np.log(np.exp(logits).sum(axis=1, keepdims=True))
-        return Heard(log_posteriors.astype(np.float32), np.zeros((len(logits), len(CHANNELS)), np.float32))
+        articulators = np.zeros((len(logits), len(CHANNELS)), np.float32)
+        return Heard(log_posteriors.astype(np.float32), articulators, np.zeros(len(logits), np.float32))
 
     monkeypatch.setattr(vocal_tract, "hear", hear)
     assert vocal_tract.fitted(ramp(8))[0, 20] == pytest.approx(20 * 1.06)

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from vectortalker.errors import VectorTalkerError
 from vectortalker.speech.coarticulation import FPS
-from vectortalker.speech.decoding import Posteriors, blocks_of_classes
+from vectortalker.speech.decoding import Edges, Posteriors, blocks_of_classes
 from vectortalker.speech.durations import settled
 from vectortalker.speech.visemes import SILENCE, VISEMES, Block
 
@@ -18,7 +18,7 @@ LEAST_FIT = -1.8  # mean nats a frame: right texts score -0.6 as a rule and all 
 STAY, STEP, SKIP = 0, 1, 2
 
 
-def align(log_posteriors: Posteriors, words: list[list[str]]) -> list[Block]:
+def align(log_posteriors: Posteriors, edges: Edges, words: list[list[str]]) -> list[Block]:
     """Blocks of the visemes of `words` in order, with pauses between words where they are heard.
 
     Raises `bad_option` when the text has more sounds than the recording has frames, or does not fit what is heard.
@@ -39,7 +39,7 @@ def align(log_posteriors: Posteriors, words: list[list[str]]) -> list[Block]:
         raise VectorTalkerError(
             "bad_option", f"The transcript does not fit the recording ({figures}): check text and language."
         )
-    return blocks_of_states(scores, path, states)
+    return blocks_of_states(scores, edges, path, states)
 
 
 def _states(words: list[list[str]]) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
@@ -74,9 +74,11 @@ def _best_path(scores: NDArray[np.float32], is_optional: NDArray[np.bool_]) -> t
     return path, total
 
 
-def blocks_of_states(scores: NDArray[np.float32], path: NDArray[np.int64], states: NDArray[np.int64]) -> list[Block]:
-    """Blocks of the visemes of `states` along `path`, boundaries settled by `scores` [n, 15] and usual lengths."""
+def blocks_of_states(
+    scores: NDArray[np.float32], edges: Edges, path: NDArray[np.int64], states: NDArray[np.int64]
+) -> list[Block]:
+    """Blocks of the visemes of `states` along `path`, settled by `scores` [n, 15], `edges` and usual lengths."""
     starts = np.concatenate([[0], np.flatnonzero(np.diff(path)) + 1])
     classes = states[path[starts]]
-    ends = settled(scores.astype(np.float64), classes, np.append(starts[1:], len(path)))
+    ends = settled(scores.astype(np.float64), edges, classes, np.append(starts[1:], len(path)))
     return blocks_of_classes(np.repeat(classes, np.diff(ends, prepend=0)))

@@ -1,4 +1,4 @@
-"""Moves the boundaries of aligned visemes to where the sound and the usual lengths of visemes agree.
+"""Moves the boundaries of aligned visemes to where edges are heard and the usual lengths of visemes agree.
 
 Posteriors change slowly from one sound to the next alike (vowel to r, l or n), and the best path then gives one of
 the two a single frame. A log-normal prior on each length, at the clip's own rate of speech, settles such boundaries: a
@@ -16,6 +16,7 @@ from vectortalker.speech.visemes import SILENCE, VISEMES
 
 REACH = 10  # frames a boundary may move either way: 200 ms
 WEIGHT = 1.0  # of the prior against the posteriors
+EDGE_WEIGHT = 2.0  # of edges heard; like WEIGHT set on lines by training voices
 # Median length (ms) and deviation of its logarithm in the training corpus, which `scripts/speech/corpus.py` prints.
 _LENGTHS = {
     "PP": (76, 0.40), "FF": (72, 0.34), "TH": (49, 0.54), "DD": (66, 0.44), "kk": (76, 0.41), "CH": (97, 0.33),
@@ -26,10 +27,12 @@ DEVIATIONS = np.array([_LENGTHS[name][1] for name in VISEMES])
 MEDIANS = np.array([np.log(max(_LENGTHS[name][0], 1) / 1000 * FPS) for name in VISEMES])  # log frames
 
 
-def settled(scores: NDArray[np.float64], classes: NDArray[np.int64], ends: NDArray[np.int64]) -> NDArray[np.int64]:
+def settled(
+    scores: NDArray[np.float64], edges: NDArray[np.float32], classes: NDArray[np.int64], ends: NDArray[np.int64]
+) -> NDArray[np.int64]:
     """Ends [k] of segments of viseme numbers `classes` [k], at least a frame each, in order; the last stays.
 
-    `scores` [n, 15] are log posteriors. O(k · REACH²).
+    `scores` [n, 15] are log posteriors, `edges` [n] log probabilities of an edge behind a frame. O(k · REACH²).
     """
     sums = np.vstack([np.zeros(len(VISEMES)), np.cumsum(scores, axis=0)])
     candidates = [np.zeros(1, np.int64)]
@@ -42,6 +45,7 @@ def settled(scores: NDArray[np.float64], classes: NDArray[np.int64], ends: NDArr
         surprise = (np.log(np.maximum(lengths, 1)) - MEDIANS[viseme] - rate) / DEVIATIONS[viseme]
         totals = best[:, None] + (sums[stops, viseme][None] - sums[starts, viseme][:, None]) - WEIGHT / 2 * surprise**2
         totals[lengths < 1] = -np.inf
+        totals += EDGE_WEIGHT * edges[stops - 1]
         sources.append(totals.argmax(axis=0))
         best = totals.max(axis=0)
     settled_ends, choice = np.empty(len(classes), np.int64), 0

@@ -55,8 +55,8 @@ def listen(sound: Path | BinaryIO, progress: Progress) -> Listened:
 
 def blocks_heard(heard: Heard, words: list[list[str]] | None) -> list[Block]:
     """Blocks that fill the clip: the most probable, or those of `words`. Raises `bad_option` (`alignment.align`)."""
-    blocks = decode(heard.log_posteriors) if words is None else align(heard.log_posteriors, words)
-    return weighted(blocks, heard)
+    sound = heard.log_posteriors, heard.edges
+    return weighted(decode(*sound) if words is None else align(*sound, words), heard)
 
 
 def blocks_heard_again(heard: Heard, words: list[list[str]] | None, part: Span, known: list[Block]) -> list[Block]:
@@ -70,7 +70,7 @@ def blocks_heard_again(heard: Heard, words: list[list[str]] | None, part: Span, 
         raise VectorTalkerError(
             "bad_option", f"The part from {part.start:g} s to {part.end:g} s is not within {n_frames / FPS:g} s."
         )
-    excerpt = Heard(heard.log_posteriors[first:last], heard.articulators[first:last])
+    excerpt = Heard(heard.log_posteriors[first:last], heard.articulators[first:last], heard.edges[first:last])
     anew = [replace(block, start=block.start + first / FPS) for block in blocks_heard(excerpt, words)]
     return cut(known, 0.0, first / FPS) + anew + cut(known, last / FPS, n_frames / FPS)
 

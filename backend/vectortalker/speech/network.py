@@ -1,7 +1,8 @@
-"""Turns normalised log-mel frames into viseme posteriors and articulators, 50 a second, by the committed network.
+"""Turns normalised log-mel frames into viseme posteriors, articulators and edges of sounds, by the committed network.
 
-The network is a stack of dilated convolutions over time (`scripts/speech/network.py`). An output needs 1.7 s of the
-past and 440 ms of the future at most, so a long clip is run in chunks that overlap by that much, with the same answer.
+The network is stacks of dilated convolutions over time (`scripts/speech/network.py`), 50 outputs a second. One needs
+1.7 s of the past and 440 ms of the future at most, so a long clip is run in chunks that overlap by that much, with the
+same answer.
 """
 
 from __future__ import annotations
@@ -27,10 +28,11 @@ CHUNK = 1500  # output frames: 30 s
 
 @dataclass(frozen=True)
 class Heard:
-    """What the network makes of n frames of 20 ms: log posteriors [n, 15] of VISEMES, and [n, 7] of CHANNELS."""
+    """What the network makes of n frames of 20 ms."""
 
-    log_posteriors: NDArray[np.float32]
-    articulators: NDArray[np.float32]
+    log_posteriors: NDArray[np.float32]  # [n, 15], of VISEMES
+    articulators: NDArray[np.float32]  # [n, 7], CHANNELS
+    edges: NDArray[np.float32]  # [n], log probability that a sound ends between a frame and the next
 
 
 def hear(frames: Frames, progress: Callable[[float], None] = lambda done: None) -> Heard:
@@ -38,16 +40,18 @@ def hear(frames: Frames, progress: Callable[[float], None] = lambda done: None) 
     n_out = len(frames) // STRIDE
     logits = np.empty((n_out, len(VISEMES)), np.float32)
     articulators = np.empty((n_out, len(CHANNELS)), np.float32)
+    edges = np.empty(n_out, np.float32)
     for start in range(0, n_out, CHUNK):
         end = min(n_out, start + CHUNK)
         first, last = max(0, start - PAST), min(n_out, end + FUTURE)
         inputs = frames[None, STRIDE * first : STRIDE * last].astype(np.float32)
         outputs = [np.asarray(output) for output in _session().run(None, {"frames": inputs})]
-        logits[start:end], articulators[start:end] = (output[0, start - first : end - first] for output in outputs)
+        kept = (output[0, start - first : end - first] for output in outputs)
+        logits[start:end], articulators[start:end], edges[start:end] = kept
         progress(end / n_out)
     peaks = logits.max(axis=1, keepdims=True, initial=0)
     totals = peaks + np.log(np.exp(logits - peaks).sum(axis=1, keepdims=True))
-    return Heard(logits - totals, articulators)
+    return Heard(logits - totals, articulators, -np.logaddexp(0, -edges))
 
 
 @cache
