@@ -57,51 +57,35 @@ def optimise(
     finish_early: Callable[[], bool],
 ) -> Generator[Step, None, Step]:
     """Run the levels after `start` and return the last step; `level_at` makes a level's targets, one level ahead."""
-    with ThreadPoolExecutor(1) as beside:
-        return (yield from _levels(level_at, plans, settings, start, threads, finish_early, beside))
-
-
-def _levels(
-    level_at: Callable[[int, LevelPlan], Level],
-    plans: list[LevelPlan],
-    settings: Settings,
-    start: Start,
-    threads: int,
-    finish_early: Callable[[], bool],
-    beside: Executor,
-) -> Generator[Step, None, Step]:
     ingredients = RECIPES[settings.recipe]
     total = sum(level_plan.iterations for level_plan in plans)
     population, done = start.population, start.iterations
     step = Step(population, start.levels, done, picture=False, level_done=False)
-    for index, level in enumerate(_one_ahead(level_at, plans, start.levels, threads, beside), start.levels):
-        level_plan, last = plans[index], index == len(plans) - 1
-        generator = np.random.default_rng((settings.seed, index))
-        if index:
-            population = rescale(population, plans[index - 1].frame, level_plan.frame)
-        missing = max(0, level_plan.paths - len(population))
-        gradient, fidelity = settings.fills == "gradient", Fidelity(threads=threads)
-        population = seed(population, level, missing, level_plan.radius, ingredients, gradient, fidelity, generator)
-        yield Step(population, index, done, picture=index > 0, level_done=False)
-        fitted = level
-        corrected_at = corrections(ingredients, level_plan)
-        for i in range(1, level_plan.iterations + 1):
-            moved_radius = _moved_radius(ingredients, i, level_plan, last)
-            rate = decay(done, total, ingredients.decay_from)
-            fidelity = _fidelity(ingredients, i, level_plan.iterations, last, threads)
-            if moved_radius is not None or rate < 1:  # importance is of all bands, and small steps want exact gradients
-                fidelity = replace(fidelity, bands=EVERY_BAND)
-            iteration = _Iteration(i, rate, fidelity, moved_radius)
-            if last and i in corrected_at:
-                fitted = compensate(level, population, iteration.fidelity)
-            population = _iterate(population, fitted, settings, iteration, generator, beside)
-            done += 1
-            if i % REPORT_EVERY == 0 or i == level_plan.iterations:
-                finished = i == level_plan.iterations
-                step = Step(population, index, done, finished or i % PICTURE_EVERY == 0, finished)
-                yield step
-                if finish_early():
-                    return step
+    with ThreadPoolExecutor(1) as beside:
+        for index, level in enumerate(_one_ahead(level_at, plans, start.levels, threads, beside), start.levels):
+            level_plan, last = plans[index], index == len(plans) - 1
+            generator = np.random.default_rng((settings.seed, index))
+            if index:
+                population = rescale(population, plans[index - 1].frame, level_plan.frame)
+            missing = max(0, level_plan.paths - len(population))
+            gradient, fidelity = settings.fills == "gradient", Fidelity(threads=threads)
+            population = seed(population, level, missing, level_plan.radius, ingredients, gradient, fidelity, generator)
+            yield Step(population, index, done, picture=index > 0, level_done=False)
+            fitted = level
+            corrected_at = corrections(ingredients, level_plan)
+            for i in range(1, level_plan.iterations + 1):
+                rate = decay(done, total, ingredients.decay_from)
+                iteration = _iteration(ingredients, i, rate, level_plan, last, threads)
+                if last and i in corrected_at:
+                    fitted = compensate(level, population, iteration.fidelity)
+                population = _iterate(population, fitted, settings, iteration, generator, beside)
+                done += 1
+                if i % REPORT_EVERY == 0 or i == level_plan.iterations:
+                    finished = i == level_plan.iterations
+                    step = Step(population, index, done, finished or i % PICTURE_EVERY == 0, finished)
+                    yield step
+                    if finish_early():
+                        return step
     return step
 
 
@@ -140,6 +124,16 @@ class _Iteration:
     rate: float
     fidelity: Fidelity
     moved_radius: float | None
+
+
+def _iteration(
+    ingredients: Ingredients, i: int, rate: float, level_plan: LevelPlan, last: bool, threads: int
+) -> _Iteration:
+    moved_radius = _moved_radius(ingredients, i, level_plan, last)
+    fidelity = _fidelity(ingredients, i, level_plan.iterations, last, threads)
+    if moved_radius is not None or rate < 1:  # importance is of all bands, and small steps want exact gradients
+        fidelity = replace(fidelity, bands=EVERY_BAND)
+    return _Iteration(i, rate, fidelity, moved_radius)
 
 
 def _iterate(
